@@ -1,0 +1,46 @@
+"""SymPy derivations: the Bernstein basis, the operator form, and every formula of a Bézier curve with its steps.
+
+The letters i, j, k, n, r (non-negative integers), t, u (real), the shift operator E and the control points b are ready
+to import. A derived function returns its result; ``segment.steps(n, j, 0, t)`` gives the lines that lead to it.
+"""
+
+from .basis import B
+from .curve import curve, de_casteljau, elevate, segment
+from .derivation import Derivation, Step
+from .derivative import curvature, derivative, end_curvature, end_derivative, hodograph
+from .operator import apply, binomial_theorem, step
+from .power import basis_matrix, from_power, power_matrix, to_power
+from .printing import latex
+from .symbols import E, b, i, j, k, n, r, t, u
+
+__all__ = [
+    "B",
+    "Derivation",
+    "E",
+    "Step",
+    "apply",
+    "b",
+    "basis_matrix",
+    "binomial_theorem",
+    "curvature",
+    "curve",
+    "de_casteljau",
+    "derivative",
+    "elevate",
+    "end_curvature",
+    "end_derivative",
+    "from_power",
+    "hodograph",
+    "i",
+    "j",
+    "k",
+    "latex",
+    "n",
+    "power_matrix",
+    "r",
+    "segment",
+    "step",
+    "t",
+    "to_power",
+    "u",
+]
