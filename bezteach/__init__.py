@@ -8,7 +8,7 @@ from importlib import import_module
 
 __version__ = "0.1.0"
 
-_MODULES = ("examples", "figures", "numeric", "symbolic", "widgets")
+_MODULES = ("display", "examples", "figures", "numeric", "questions", "symbolic", "widgets")
 _NUMERIC = (
     "bernstein",
     "curvature",
@@ -20,6 +20,7 @@ _NUMERIC = (
     "flatten",
     "from_power",
     "hodograph",
+    "polygon_gap",
     "sample",
     "segment",
     "split",

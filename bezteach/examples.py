@@ -89,7 +89,7 @@ EXAMPLES = {
         _example(
             "deck/quartic",
             "1.2, property 6 of the curve, note on the convexity theorem",
-            "a quartic with a free height w: y = plain + w * beside_w, its second derivative likewise, and when it is convex",
+            "a quartic with a free height w: y = plain + w * beside_w, y'' likewise, and for which w it is convex",
             given={
                 "points": ((0, 0), (F(1, 4), F(1, 4)), (F(1, 2), "w"), (F(3, 4), F(1, 4)), (1, 0)),
                 "degree": 4,

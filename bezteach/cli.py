@@ -1,0 +1,153 @@
+"""The command line: ``python3 -m bezteach COMMAND`` and ``bezteach COMMAND``.
+
+A command is a function of the parsed arguments that returns the exit code, entered in ``COMMANDS`` beside its help
+and the function that declares its arguments. What a user can put right is a ``Problem``: one line, exit code 1.
+"""
+
+import argparse
+import contextlib
+import os
+import signal
+import sys
+import threading
+from pathlib import Path
+from typing import NamedTuple
+
+from bezteach import __version__, environment, lab, workspace
+from bezteach.environment import Problem, say
+
+
+class Command(NamedTuple):
+    """One command: what it does, the function that runs it, and the one that declares its arguments.
+
+    Without the latter, everything behind the command's name is handed on unread, as ``arguments.rest``.
+    """
+
+    help: str
+    run: object
+    declare: object = None
+
+
+def lab_arguments(parser):
+    """Declare what ``lab`` understands."""
+    parser.add_argument(
+        "--dir",
+        type=_folder,
+        metavar="DIR",
+        help="the folder to work in (default: bezteach-lessons in your home)",
+    )
+    parser.add_argument("--no-browser", action="store_true", help="print the address instead of opening it")
+    parser.add_argument("--port", type=_port, metavar="N", help="the port to serve on (default: a free one from 8888)")
+
+
+def run_lab(arguments):
+    """Set up, copy the lessons, run JupyterLab in their folder until it is ended."""
+    source = workspace.lessons_source()
+    target = workspace.folder(arguments.dir)
+    # What cannot work shows now, not after a minute of installing.
+    workspace.plan(source, target)
+    port = lab.free_port(arguments.port)
+    environment.ready("lab", arguments.all)
+    report = workspace.copy_lessons(source, target)
+    for line in workspace.summary(report, target):
+        say(line)
+    if failure := workspace.sign(workspace.written(report, target)):
+        say(f"could not sign the lessons ({failure}): pictures may show only after running a cell")
+    return lab.serve(target, port, browser=not arguments.no_browser)
+
+
+def run_test(arguments):
+    """Set up, then run pytest in the checkout; its output and its exit code as they come."""
+    root = environment.checkout()
+    if root is None:
+        raise Problem("the tests come with a checkout of the project, and this is an installed package: clone it")
+    environment.ready("test", arguments.all)
+    command = [sys.executable, "-m", "pytest", *arguments.rest]
+    return environment.become(command, environment.child_environment(root), cwd=root)
+
+
+COMMANDS = {
+    "lab": Command("set up, and open the lessons in JupyterLab", run_lab, lab_arguments),
+    "test": Command("set up, and run every test (arguments are pytest's)", run_test),
+}
+
+
+def _folder(text):
+    if not text.strip():
+        raise argparse.ArgumentTypeError("the name is empty")
+    return Path(text)
+
+
+def _port(text):
+    if not (text.isascii() and text.isdigit() and int(text) <= 65535):
+        raise argparse.ArgumentTypeError(f"{text!r} is no port: take a number from 1024 to 65535, or 0 for any free")
+    return int(text)
+
+
+def parser():
+    """Return the parser of the whole command line."""
+    result = argparse.ArgumentParser(
+        prog="bezteach", description="Bézier curves, taught with exact numbers and draggable pictures."
+    )
+    result.add_argument("--version", action="version", version=f"bezteach {__version__}")
+    commands = result.add_subparsers(dest="command", metavar="COMMAND")
+    for name, command in COMMANDS.items():
+        sub = commands.add_parser(name, help=command.help, description=command.help, add_help=bool(command.declare))
+        if command.declare:
+            command.declare(sub)
+    return result
+
+
+def parse(argv):
+    """Parse the command line; ``all`` of the result is the line itself. Exits as argparse does if it is wrong."""
+    command = COMMANDS.get(argv[0]) if argv else None
+    # argparse would take -h and -k for its own, so it does not see what is handed on.
+    handed_on = command is not None and command.declare is None
+    arguments = parser().parse_args(argv[:1] if handed_on else argv)
+    arguments.rest = argv[1:] if handed_on else []
+    arguments.all = argv
+    return arguments
+
+
+def main(argv=None):
+    """Run a command line (the process's own if none is given) and return its exit code."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            # A folder's name may hold letters that the terminal does not know.
+            stream.reconfigure(errors="backslashreplace")
+    arguments = parse(sys.argv[1:] if argv is None else list(argv))
+    if arguments.command is None:
+        parser().print_help()
+        return 0
+    try:
+        with _orderly_end():
+            if os.name == "posix":
+                # They were made to wait if this is the interpreter of a .venv just made: see ready().
+                signal.pthread_sigmask(signal.SIG_UNBLOCK, environment.ENDINGS)
+            return COMMANDS[arguments.command].run(arguments)
+    except (Problem, OSError) as problem:
+        # An OSError that nobody foresaw is still about the user's machine, and its text says what and where.
+        print(f"bezteach: {problem}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("bezteach: stopped", file=sys.stderr)
+        return 130
+
+
+@contextlib.contextmanager
+def _orderly_end():
+    """Make SIGTERM, and SIGHUP of a closed terminal, an exception like Ctrl-C, so that everything is put in order."""
+
+    def leave(number, frame):
+        sys.exit(128 + number)
+
+    before = {}
+    if os.name == "posix" and threading.current_thread() is threading.main_thread():
+        for number in (signal.SIGTERM, signal.SIGHUP):
+            if signal.getsignal(number) == signal.SIG_DFL:
+                before[number] = signal.signal(number, leave)
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)

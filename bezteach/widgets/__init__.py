@@ -1,0 +1,7 @@
+"""What a reader moves, follows and answers in a lesson: explorers, derivations line by line, questions with feedback."""
+
+from .asking import ask
+from .explorers import explore_segment, explore_split
+from .walking import walk
+
+__all__ = ["ask", "explore_segment", "explore_split", "walk"]
