@@ -17,8 +17,8 @@ from .display import number, point
 INK, FIRST, SECOND, QUIET = "#1a1a1a", "#0060a8", "#c04a00", "#8c8c8c"
 LEVEL_MARKERS = "osD^v<>ph*"
 STYLE = {
-    "font.size": 15,
-    "axes.titlesize": 16,
+    "font.size": 14,
+    "axes.titlesize": 15,
     "lines.linewidth": 2.5,
     "lines.markersize": 8,
     "axes.spines.top": False,
@@ -146,14 +146,15 @@ def _panels(count, points):
     columns = min(count, 2)
     rows = -(-count // columns)
     low, high = (np.asarray(f(points, axis=0), dtype=float) for f in (np.min, np.max))
-    margin = 0.16 * max(high - low)
+    margin = np.array([0.16, 0.16] if count == 1 else [0.36, 0.26]) * max(high - low)  # names need room in small panels
     width, height = high - low + 2 * margin
-    across = 7 if count == 1 else 5.4
+    across = 7 if count == 1 else 4.3
     size = (across * columns, rows * (min(across * height / width, 6) + 0.4))
     figure = Figure(figsize=size, layout="constrained")
     panels = figure.subplots(rows, columns, squeeze=False).ravel()
     for axes in panels:
-        axes.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin), aspect="equal")
+        left, bottom, right, top = *(low - margin), *(high + margin)
+        axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
     for axes in panels[count:]:
         axes.set_axis_off()
     return figure, panels[:count]
@@ -166,9 +167,8 @@ def _half(axes, points, colour, marker, dash, label):
 
 def _polygon(axes, points, colour, marker, dash, *, name=None, width=1.6, size=8, filled=False):
     x, y = np.asarray(points, dtype=float).T
-    axes.plot(
-        x, y, color=colour, marker=marker, linestyle=dash, linewidth=width, markersize=size, markerfacecolor="white"
-    )
+    inside = colour if filled else "white"
+    axes.plot(x, y, dash, color=colour, linewidth=width, marker=marker, markersize=size, markerfacecolor=inside)
     if name is not None:
         _names(axes, points, [f"${name}_{{{i}}}$" for i in range(len(points))], np.array([0.0, 1.0]))
 

@@ -3,7 +3,7 @@
 from fractions import Fraction as F
 
 from ..examples import EXAMPLES
-from ..numeric import de_casteljau, segment, split
+from ..numeric import segment, split
 from .asking import Choice, Entry, Goal
 
 CUBIC = EXAMPLES["deck/split"].given["points"]
@@ -16,12 +16,11 @@ def _cubic_left():
     return [
         (left[::-1], "These are the right points, last one first: a curve begins where t = 0."),
         (right, "These are the control points of the other half."),
-        (right[::-1], "These are the control points of the other half, and read from its end."),
-        (split(CUBIC, F(3, 4))[0], "You cut at 3/4: the weight of the second point is t, that of the first is 1 - t."),
         (
-            [level[-1] for level in de_casteljau(CUBIC, F(1, 4))],
-            "You read the last point of each level: they belong to the right half, from its end.",
+            right[::-1],
+            "You read the last point of each level: these are the other half's control points, from its end.",
         ),
+        (split(CUBIC, F(3, 4))[0], "You cut at 3/4: the weight of the second point is t, that of the first is 1 - t."),
     ]
 
 
@@ -56,13 +55,13 @@ def _arch_part():
 
 QUESTIONS = {
     "splitting/before-weights": Choice(
-        "At t = 1/4, de Casteljau's algorithm puts a point on the edge from b_0 to b_1. Where?",
+        "At t = 1/4, de Casteljau's algorithm puts a point on the edge from b₀ to b₁. Where?",
         {
-            "a quarter of the way from b_0": "Yes: (1 - t) b_0 + t b_1 with t = 1/4.",
-            "three quarters of the way from b_0": "That is the way for t = 3/4: t is the weight of the second point.",
+            "a quarter of the way from b₀": "Yes: (1 - t) b₀ + t b₁ with t = 1/4.",
+            "three quarters of the way from b₀": "That is the way for t = 3/4: t is the weight of the second point.",
             "in the middle": "The middle belongs to t = 1/2.",
         },
-        "a quarter of the way from b_0",
+        "a quarter of the way from b₀",
     ),
     "splitting/before-levels": Choice(
         "How many new points does the algorithm make for a cubic before it stops?",
@@ -86,7 +85,7 @@ QUESTIONS = {
     "splitting/where-is-half": Choice(
         "The cut at t = 1/2: does it halve the length of the curve?",
         {
-            "always": "Think of a curve with its points b_0, b_1, b_2 crowded at one end.",
+            "always": "Think of a curve with its points b₀, b₁, b₂ crowded at one end.",
             "never": "A symmetric curve is cut in its middle.",
             "only by luck or symmetry": "Yes: t is a parameter, not a fraction of the length.",
         },
@@ -95,10 +94,10 @@ QUESTIONS = {
     "splitting/right-half-order": Choice(
         "The right half's control points are the last points of the levels. In which order?",
         {
-            "as the levels come: b_3 first": "Then the right half would begin at b_3, where the curve ends.",
-            "backwards: the cut point first, b_3 last": "Yes: the right half begins at the cut.",
+            "as the levels come: b₃ first": "Then the right half would begin at b₃, where the curve ends.",
+            "backwards: the cut point first, b₃ last": "Yes: the right half begins at the cut.",
         },
-        "backwards: the cut point first, b_3 last",
+        "backwards: the cut point first, b₃ last",
     ),
     "splitting/local-parameter": Choice(
         "You keep [0, 3/4] of a curve. At which parameter of this piece lies the old t = 1/4?",
@@ -139,7 +138,7 @@ QUESTIONS = {
             ),
             (
                 (F(3, 2), 2),
-                "That is the middle of the edge from b_1 to b_2, a point of the first level: two more levels.",
+                "That is the middle of the edge from b₁ to b₂, a point of the first level: two more levels.",
             ),
         ],
         "(1/2, 2)",
@@ -175,7 +174,7 @@ QUESTIONS = {
     "splitting/exercise-backwards": Choice(
         "Exercise 6. What are the control points of the part over [1, 0], from the end to the beginning?",
         {
-            "those of the curve": "Then the part would begin at b_0; at parameter 1 the curve is at b_n.",
+            "those of the curve": "Then the part would begin at b₀; at parameter 1 the curve is at b_n.",
             "those of the curve, in reverse order": "Yes: the same curve, run backwards.",
             "all equal": "A part that is one point has equal ends: [a, a].",
         },

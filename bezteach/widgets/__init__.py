@@ -1,4 +1,4 @@
-"""What a reader moves, follows and answers in a lesson: explorers, derivations line by line, questions with feedback."""
+"""What a reader moves, follows and answers in a lesson: explorers, derivations line by line, questions."""
 
 from .asking import ask
 from .explorers import explore_segment, explore_split

@@ -7,7 +7,7 @@ import numpy as np
 from .. import numeric
 
 INK, FIRST, SECOND, QUIET = "#1a1a1a", "#0060a8", "#c04a00", "#8c8c8c"
-WIDTH, HIGHEST, MARGIN = 560, 460, 46
+WIDTH, HIGHEST, MARGIN = 480, 420, 44
 CURVE_SAMPLES = 65
 
 
@@ -63,7 +63,8 @@ def _mark(x, y, colour, marker):
 def _beside(dots):
     """Places for names: away from the neighbours of each point."""
     for i, dot in enumerate(dots):
-        away = dot - np.mean([dots[j] for j in (i - 1, i + 1) if 0 <= j < len(dots)], axis=0)
+        neighbours = [dots[j] for j in (i - 1, i + 1) if 0 <= j < len(dots)] or [dot + (0, 1)]
+        away = dot - np.mean(neighbours, axis=0)
         yield dot + 20 * away / (np.hypot(*away) or 1.0)
 
 

@@ -14,7 +14,7 @@ def walk(derivation):
     ``.next``, ``.back`` and ``.all`` are the buttons. A stored notebook and a printout show every line.
     """
     shown = [1]
-    lines = widgets.HTMLMath(layout=widgets.Layout(min_height=f"{3.2 * len(derivation)}em", overflow="auto"))
+    lines = widgets.HTMLMath(layout=widgets.Layout(min_height=f"{2.9 * len(derivation)}em", overflow="auto"))
     buttons = [widgets.Button(description=word) for word in ("Next line", "Back", "All lines")]
 
     def go(count):
@@ -24,7 +24,9 @@ def walk(derivation):
         forward.disabled = everything.disabled = shown[0] == len(derivation)
         back.disabled = shown[0] == 1
 
-    for button, count in zip(buttons, (lambda: shown[0] + 1, lambda: shown[0] - 1, lambda: len(derivation)), strict=True):
+    for button, count in zip(
+        buttons, (lambda: shown[0] + 1, lambda: shown[0] - 1, lambda: len(derivation)), strict=True
+    ):
         button.on_click(lambda _, count=count: go(count()))
     go(1)
     panel = Panel(

@@ -296,8 +296,8 @@ def representation(cell, kind):
 
 
 def with_another_digit(svg):
-    """The picture with the first point of its first path moved, by one character."""
-    spot = re.search(r'\sd="M\s*-?(\d)', svg).start(1)
+    """The picture with the first point of its first line moved, by one character."""
+    spot = re.search(r'\s(?:d="M|points=")\s*-?(\d)', svg).start(1)
     return svg[:spot] + str((int(svg[spot]) + 1) % 10) + svg[spot + 1 :]
 
 

@@ -1,0 +1,120 @@
+"""The pictures hold what they are given, say it in words, and are the same bytes from run to run."""
+
+import re
+from fractions import Fraction as F
+
+import numpy as np
+import pytest
+from matplotlib.text import Text
+
+from bezteach import figures
+from bezteach.examples import EXAMPLES
+
+CUBIC = EXAMPLES["deck/split"].given["points"]
+ARCH = EXAMPLES["deck/segment"].given["points"]
+ALL = {
+    "curve": lambda: figures.curve(CUBIC),
+    "triangle": lambda: figures.triangle(CUBIC, F(1, 3)),
+    "split": lambda: figures.split(CUBIC, F(1, 3)),
+    "segment": lambda: figures.segment(ARCH, F(1, 4), F(3, 4)),
+    "halving": lambda: figures.halving(CUBIC),
+    "decay": lambda: figures.decay([1, 0.26, 0.0625], F(1, 4)),
+}
+
+
+def drawn(axes):
+    """The vertices of every line of a panel."""
+    return [np.column_stack(line.get_data()) for line in axes.get_lines()]
+
+
+def holds(axes, points):
+    return any(
+        line.shape == np.shape(points) and np.allclose(line, np.array(points, dtype=float)) for line in drawn(axes)
+    )
+
+
+def test_split_draws_the_slide_s_halves():
+    (axes,) = ALL["split"]().axes
+    answer = EXAMPLES["deck/split"].answer
+    assert holds(axes, answer["left"]) and holds(axes, answer["right"]) and holds(axes, CUBIC)
+
+
+def test_triangle_grows_by_one_level_a_panel():
+    figure = ALL["triangle"]()
+    levels = EXAMPLES["deck/split"].answer["triangle"]
+    for last, axes in enumerate(figure.axes):
+        assert [holds(axes, level) for level in levels] == [k <= last for k in range(4)]
+    assert [text.get_text() for text in figure.axes[2].texts] == ["(2/3, 13/9)", "(5/3, 19/9)"]
+
+
+def test_segment_draws_the_part():
+    (axes,) = ALL["segment"]().axes
+    assert holds(axes, EXAMPLES["deck/segment"].answer["part"])
+
+
+def test_halving_draws_twice_as_many_polygons_a_panel():
+    assert [sum(len(line) == 4 for line in drawn(axes)) for axes in ALL["halving"]().axes] == [1, 2, 4, 8]
+
+
+def test_decay_draws_the_values_beside_the_guide():
+    (axes,) = ALL["decay"]().axes
+    assert holds(axes, [(0, 1), (1, 0.26), (2, 0.0625)])
+    assert holds(axes, [(0, 1), (1, 0.25), (2, 0.0625)])
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_every_picture_says_in_words_what_it_shows(name):
+    assert len(ALL[name]().get_label()) > 40
+
+
+def test_words_hold_the_exact_numbers():
+    assert "(2/3, 13/9)" in ALL["split"]().get_label()
+    assert "from t = 1/4 to t = 3/4" in ALL["segment"]().get_label()
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_nothing_lies_outside_its_panel(name):
+    figure = ALL[name]()
+    figure.draw_without_rendering()
+    frame = figure.bbox.padded(1)
+    for axes in figure.axes:
+        for text in filter(Text.get_text, [*axes.texts, axes.title]):
+            box = text.get_window_extent()
+            assert frame.contains(box.x0, box.y0) and frame.contains(box.x1, box.y1), text.get_text()
+
+
+@pytest.mark.parametrize("name", ["triangle", "split", "segment"])
+def test_names_do_not_overlap(name):
+    figure = ALL[name]()
+    figure.draw_without_rendering()
+    for axes in figure.axes:
+        boxes = [text.get_window_extent() for text in [*axes.texts, axes.title]]
+        assert not any(one.overlaps(other) for k, one in enumerate(boxes) for other in boxes[:k])
+
+
+def shown(monkeypatch, figure):
+    caught = []
+    monkeypatch.setattr("IPython.display.display", lambda bundle, **options: caught.append((bundle, options)))
+    figures.show(figure)
+    return caught[0]
+
+
+def test_shown_as_png_and_svg_with_alternative_text(monkeypatch):
+    bundle, options = shown(monkeypatch, ALL["curve"]())
+    words = "A Bézier curve of degree 3 from (0, 0) to (3, 3), with its control polygon."
+    assert bundle["text/plain"] == words
+    assert options == {"raw": True, "metadata": {"image/png": {"alt": words}}}
+    assert bundle["image/png"].startswith(b"\x89PNG")
+    assert re.search(rf'<svg role="img" aria-label="{re.escape(words)}"', bundle["image/svg+xml"])
+
+
+def test_the_same_bytes_from_run_to_run(monkeypatch):
+    assert shown(monkeypatch, ALL["split"]()) == shown(monkeypatch, ALL["split"]())
+
+
+@pytest.mark.parametrize("colours", [(figures.INK, figures.QUIET), (figures.FIRST, figures.QUIET)])
+def test_what_lies_together_differs_in_greyscale(colours):
+    one, other = (
+        sum(w * int(c[i : i + 2], 16) for w, i in zip((0.299, 0.587, 0.114), (1, 3, 5), strict=True)) for c in colours
+    )
+    assert abs(one - other) > 40

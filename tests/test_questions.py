@@ -1,0 +1,142 @@
+"""What a student answers is read exactly and judged fairly; feedback names the mistake without telling the answer."""
+
+from fractions import Fraction as F
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from bezteach.display import point
+from bezteach.questions import GOALS, QUESTIONS, Choice, Entry, judge, read
+
+CHOICES = {name: question for name, question in QUESTIONS.items() if isinstance(question, Choice)}
+ENTRIES = {name: question for name, question in QUESTIONS.items() if isinstance(question, Entry)}
+
+
+def typed(answer):
+    """An answer as a student would type it."""
+    answer = np.asarray(answer, dtype=object)
+    return " ".join(map(point, answer)) if answer.ndim == 2 else point(answer) if answer.ndim else str(answer)
+
+
+@pytest.mark.parametrize(
+    ("text", "answer"),
+    [
+        ("3", 3),
+        (" -1/3 ", F(-1, 3)),
+        ("0.25", F(1, 4)),
+        ("1, 5/3", (1, F(5, 3))),
+        ("(1, 5/3)", (1, F(5, 3))),
+        ("(0,0) (1/3, 1)", ((0, 0), (F(1, 3), 1))),
+        ("[(0, 0), (1/3, 1)]", ((0, 0), (F(1, 3), 1))),
+        ("[[0,0],[1/3,1]]", ((0, 0), (F(1, 3), 1))),
+        ("(0; 0), （1 / 3，1）", ((0, 0), (F(1, 3), 1))),
+        ("−1", -1),
+    ],
+)
+def test_read(text, answer):
+    assert read(text) == answer
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        ("x", "Character 1, 'x'"),
+        ("(0, 0) (1, t)", "Character 12, 't'"),
+        ("1e999", "Character 2, 'e'"),
+        ("__import__('os')", "Character 1, '_'"),
+        ("(0, 0", "not closed"),
+        ("0, 0)", "Nothing to close at character 5"),
+        ("(0, 0) 1", "outside the parentheses"),
+        ("(0, 0) (1)", "different numbers of coordinates"),
+        ("1/0", "division by zero"),
+        ("()", "no number"),
+        ("9" * 501, "longer than 500"),
+        ("9" * 41 + "!", "Character 42"),
+    ],
+)
+def test_what_cannot_be_read_is_named(text, problem):
+    with pytest.raises(ValueError, match="(?s).*") as caught:
+        read(text)
+    assert problem in str(caught.value)
+
+
+@given(st.text(max_size=60))
+def test_nothing_typed_ever_raises_anything_else(text):
+    right, feedback = judge(ENTRIES["splitting/exercise-left-half"], text)
+    assert right in (None, False) and feedback
+
+
+@given(st.text(alphabet="0123456789/()[],;.- ", max_size=40))
+def test_nothing_number_like_ever_raises_anything_else(text):
+    judge(ENTRIES["splitting/exercise-cut-point"], text)
+
+
+@pytest.mark.parametrize("name", ENTRIES)
+def test_the_right_answer_is_right_and_each_mistake_gets_its_own_words(name):
+    question = ENTRIES[name]
+    assert judge(question, typed(question.right())) == (True, "Right.")
+    said = [judge(question, typed(mistake)) for mistake, _ in question.mistakes()]
+    assert said == [(False, feedback) for _, feedback in question.mistakes()]
+    assert len({typed(mistake) for mistake, _ in question.mistakes()}) == len(said) >= 2
+
+
+@pytest.mark.parametrize("name", ENTRIES)
+def test_feedback_on_mistakes_does_not_tell_the_answer(name):
+    question = ENTRIES[name]
+    telling = np.ravel(np.asarray(question.right(), dtype=object))
+    for _, feedback in question.mistakes():
+        assert typed(question.right()) not in feedback.split()
+        assert not any(f" {value} " in feedback for value in telling if F(value).denominator > 3)
+
+
+@pytest.mark.parametrize("name", ENTRIES)
+def test_the_example_of_how_to_write_is_a_wrong_answer_of_the_right_shape(name):
+    question = ENTRIES[name]
+    assert judge(question, question.example)[0] is False
+    assert np.shape(np.array(read(question.example), dtype=object)) == np.shape(question.right())
+
+
+@pytest.mark.parametrize("name", CHOICES)
+def test_choices_have_one_right_answer_and_words_for_each(name):
+    question = CHOICES[name]
+    verdicts = {option: judge(question, option) for option in question.options}
+    assert [option for option, (right, _) in verdicts.items() if right] == [question.right]
+    assert len({feedback for _, feedback in verdicts.values()}) == len(question.options) >= 2
+
+
+@pytest.mark.parametrize("name", QUESTIONS)
+@pytest.mark.parametrize("blank", [None, "", "  "])
+def test_no_answer_is_not_a_wrong_one(name, blank):
+    assert judge(QUESTIONS[name], blank) == (None, "Not answered yet.")
+
+
+def test_an_answer_partly_right_is_told_where_to_look():
+    question = ENTRIES["splitting/exercise-left-half"]
+    assert judge(question, "(0,0) (1/4,3/4) (1/2, 1) (3/4, 93/64)") == (
+        False,
+        "3 of 4 points are right; look at point number 3 again.",
+    )
+    assert judge(question, "(0, 0)")[1] == (
+        "The answer is 4 points with 2 coordinates; yours is one point with 2 coordinates."
+    )
+
+
+def test_right_answers_by_hand():
+    """Worked on paper: the left half at 1/4, the right half at 1/3, the part [1/3, 2/3]."""
+    right = {name.removeprefix("splitting/exercise-"): typed(question.right()) for name, question in ENTRIES.items()}
+    assert right == {
+        "cut-point": "(3/2, 15/8)",
+        "left-half": "(0, 0) (1/4, 3/4) (1/2, 19/16) (3/4, 93/64)",
+        "right-half": "(4/9, 10/9) (2/3, 4/3) (0, 2)",
+        "local-parameter": "1/2",
+        "part": "(-3, 4) (-1, 14/3) (1, 14/3) (3, 4)",
+    }
+
+
+def test_the_goal_is_reached_by_what_it_asks_for_alone():
+    goal = GOALS["splitting/middle-edge"]
+    assert goal.reached(np.array([(-3, 4), (-1, F(14, 3)), (1, F(14, 3)), (3, 4)], dtype=object))
+    assert not goal.reached(np.array([(3, 4), (1, F(14, 3)), (-1, F(14, 3)), (-3, 4)], dtype=object))
+    assert not goal.reached(np.array([(-3, 4), (-1, 4), (1, 5), (3, 4)], dtype=object))
