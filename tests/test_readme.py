@@ -1,0 +1,22 @@
+"""The README's picture is the one the code draws; its Python runs as a doctest."""
+
+from fractions import Fraction
+from pathlib import Path
+
+from bezteach.examples import EXAMPLES
+from bezteach.widgets.explorers import split_view
+
+ROOT = Path(__file__).parents[1]
+
+
+def test_the_picture_is_what_the_explorer_shows():
+    drawn = split_view(EXAMPLES["deck/split"].given["points"], Fraction(1, 3))["svg"]
+    assert (ROOT / ".github" / "split.svg").read_text(encoding="utf-8") == drawn + "\n"
+
+
+def test_every_folder_and_file_it_names_is_there():
+    for line in (ROOT / "README.md").read_text(encoding="utf-8").splitlines():
+        if line.startswith("| `"):
+            names = [name for name in line.split("|")[1].split("`") if name.strip(" ,")]
+            places = [ROOT / name if "/" in name else ROOT / "bezteach" / name for name in names]
+            assert all(place.exists() for place in places), line
