@@ -85,7 +85,7 @@ def split(points, t):
     _polygon(axes, points, QUIET, ".", ":", name="b")
     _half(axes, left, FIRST, "o", "-", f"left, 0 to {number(t)}")
     _half(axes, right, SECOND, "s", "--", f"right, {number(t)} to 1")
-    axes.legend(loc="best")
+    figure.legend(loc="outside lower center", ncols=2)
     figure.set_label(
         f"A curve cut at t = {number(t)}, the point {point(left[-1])}. "
         f"Left half: {_listed(left)}. Right half: {_listed(right)}."
@@ -101,7 +101,7 @@ def segment(points, a, b):
     _polygon(axes, points, QUIET, ".", ":", name="b")
     _curve(axes, points, QUIET)
     _half(axes, part, FIRST, "o", "-", f"part, {number(a)} to {number(b)}")
-    axes.legend(loc="best")
+    figure.legend(loc="outside lower center", ncols=2)
     figure.set_label(
         f"The part of a curve from t = {number(a)} to t = {number(b)}. Its control points: {_listed(part)}."
     )

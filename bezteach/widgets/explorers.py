@@ -48,8 +48,8 @@ def split_view(points, t):
     ]
     html = (
         _table("The triangle", _rows_of_triangle(levels))
-        + _list("Left half (solid, circles)", left, picture.FIRST)
-        + _list("Right half (dashed, squares)", right, picture.SECOND)
+        + _list("Left half (solid, circles)", left)
+        + _list("Right half (dashed, squares)", right)
     )
     return {"svg": picture.picture(points, layers, text), "html": html, "text": text}
 
@@ -64,7 +64,7 @@ def segment_view(points, a, b, goal=None):
         picture.curve(part, picture.FIRST),
         picture.polygon(part, picture.FIRST),
     ]
-    html = _list("Control points of the part", part, picture.FIRST) + _local_parameters(a, b)
+    html = _list("Control points of the part", part) + _local_parameters(a, b)
     if goal is not None:
         html += f"<p role='status'><b>{goal.praise if goal.reached(part) else goal.text}</b></p>"
         text += f"; {goal.praise if goal.reached(part) else goal.text}"
@@ -128,8 +128,8 @@ def _table(title, rows):
     return f"<b>{title}</b><table>{cells}</table>"
 
 
-def _list(title, points, colour):
-    return f'<b style="color:{colour}">{title}</b><br>{_listed(points)}<br>'
+def _list(title, points):
+    return f"<b>{title}</b><br>{_listed(points)}<br>"
 
 
 def _listed(points):
