@@ -48,8 +48,15 @@ def basis(n, t):
 
 def products(n, t):
     """Rows t^i (1-t)^(n-i) of a float64 vector t by powers: the fewest calls."""
-    i = np.arange(n + 1.0)[:, None]
-    return t**i * (1 - t) ** i[::-1]
+    up, down = exponents(n)
+    return t**up * (1 - t) ** down
+
+
+@lru_cache(maxsize=64)
+def exponents(n):
+    """The columns 0, ..., n and n, ..., 0, read-only."""
+    up = np.arange(n + 1.0)[:, None]
+    return frozen(up), frozen(up[::-1].copy())
 
 
 def fill_products(t, u, rows):

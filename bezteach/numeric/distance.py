@@ -15,10 +15,10 @@ def polygon_gap(points):
     is 0 for degrees 0 and 1, and falls by 4 with each halving. ``ValueError`` for bad points and for symbols.
     Source: deck, 1.2, property 9, and 2.3, limit theorem.
 
-    >>> polygon_gap([(0, 0), (1, 2), (2, 0)])
+    >>> float(polygon_gap([(0, 0), (1, 2), (2, 0)]))
     1.0
     """
-    values, flat = control_points(points)
+    values, _ = control_points(points)
     n = values.shape[-2] - 1
     on_curve = evaluate(values, [Fraction(i, max(n, 1)) for i in range(n + 1)])
     try:

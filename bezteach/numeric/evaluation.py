@@ -84,7 +84,7 @@ def planar_values(planar, t):
     if count - 1 > HIGHEST:
         return averages(planar, t)
     if t.size * count <= FEW:
-        return product(planar * binomials(count - 1), products(count - 1, t))
+        return (planar * binomials(count - 1)).dot(products(count - 1, t))
     q = count if count <= 4 or rows > 8 else isqrt(count - 1) + 1
     p = -(-count // q)
     raised = planar.dot(elevation(count - 1, p * q - count).T) if p * q > count else planar
