@@ -25,7 +25,7 @@ def test_a_straight_evenly_divided_polygon_is_its_curve(points):
 
 
 def test_each_halving_leaves_a_quarter_in_the_end_and_exactly_for_a_parabola():
-    parabola = [Fraction(0), Fraction(3), Fraction(1)]
+    parabola = [(Fraction(0), 0), (1, 3), (2, 1)]
     gaps = [polygon_gap(subdivide(parabola, depth)).max() for depth in range(6)]
     assert [one / two for one, two in zip(gaps[1:], gaps, strict=False)] == [1 / 4] * 5
     cubic = np.array([(0, 0), (1, 3), (2, 1), (3, 3)])
