@@ -13,8 +13,8 @@ from matplotlib.figure import Figure
 
 from . import numeric
 from .display import number, point
+from .palette import FIRST, INK, QUIET, SECOND
 
-INK, FIRST, SECOND, QUIET = "#1a1a1a", "#0060a8", "#c04a00", "#8c8c8c"
 LEVEL_MARKERS = "osD^v<>ph*"
 STYLE = {
     "font.size": 14,

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from matplotlib.text import Text
 
-from bezteach import figures
+from bezteach import figures, palette
 from bezteach.examples import EXAMPLES
 
 CUBIC = EXAMPLES["deck/split"].given["points"]
@@ -112,7 +112,7 @@ def test_the_same_bytes_from_run_to_run(monkeypatch):
     assert shown(monkeypatch, ALL["split"]()) == shown(monkeypatch, ALL["split"]())
 
 
-@pytest.mark.parametrize("colours", [(figures.INK, figures.QUIET), (figures.FIRST, figures.QUIET)])
+@pytest.mark.parametrize("colours", [(palette.INK, palette.QUIET), (palette.FIRST, palette.QUIET)])
 def test_what_lies_together_differs_in_greyscale(colours):
     one, other = (
         sum(w * int(c[i : i + 2], 16) for w, i in zip((0.299, 0.587, 0.114), (1, 3, 5), strict=True)) for c in colours

@@ -45,8 +45,9 @@ ARROWS = {
     "examples": set(),
     "display": {"symbolic"},
     "questions": {"numeric", "examples"},
-    "figures": {"numeric", "display", "examples"},
-    "widgets": {"numeric", "figures", "examples", "symbolic", "display", "questions"},
+    "palette": set(),
+    "figures": {"numeric", "display", "palette"},
+    "widgets": {"numeric", "examples", "symbolic", "display", "questions", "palette"},
 }
 
 

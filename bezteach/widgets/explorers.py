@@ -6,6 +6,7 @@ import ipywidgets as widgets
 
 from .. import numeric
 from ..display import number, point
+from ..palette import FIRST, QUIET, SECOND
 from . import picture
 from .panel import Panel
 
@@ -39,12 +40,12 @@ def split_view(points, t):
     left, right = numeric.split(points, t)
     text = f"t = {number(t)}: cut at {point(left[-1])}; left {_listed(left)}; right {_listed(right)}"
     layers = [
-        picture.polygon(points, picture.QUIET, dash="2 5", names=_names("b", points)),
-        *[picture.polygon(level, picture.QUIET, width=1) for level in levels[1:-1]],
-        picture.curve(left, picture.FIRST),
-        picture.curve(right, picture.SECOND, dash="12 7"),
-        picture.polygon(left, picture.FIRST),
-        picture.polygon(right, picture.SECOND, marker="s"),
+        picture.polygon(points, QUIET, dash="2 5", names=_names("b", points)),
+        *[picture.polygon(level, QUIET, width=1) for level in levels[1:-1]],
+        picture.curve(left, FIRST),
+        picture.curve(right, SECOND, dash="12 7"),
+        picture.polygon(left, FIRST),
+        picture.polygon(right, SECOND, marker="s"),
     ]
     html = (
         _table("The triangle", _rows_of_triangle(levels))
@@ -59,10 +60,10 @@ def segment_view(points, a, b, goal=None):
     part = numeric.segment(points, a, b)
     text = f"a = {number(a)}, b = {number(b)}: {_listed(part)}"
     layers = [
-        picture.polygon(points, picture.QUIET, dash="2 5", names=_names("b", points)),
-        picture.curve(points, picture.QUIET, width=2),
-        picture.curve(part, picture.FIRST),
-        picture.polygon(part, picture.FIRST),
+        picture.polygon(points, QUIET, dash="2 5", names=_names("b", points)),
+        picture.curve(points, QUIET, width=2),
+        picture.curve(part, FIRST),
+        picture.polygon(part, FIRST),
     ]
     html = _list("Control points of the part", part) + _local_parameters(a, b)
     if goal is not None:

@@ -5,8 +5,8 @@ from html import escape
 import numpy as np
 
 from .. import numeric
+from ..palette import INK
 
-INK, FIRST, SECOND, QUIET = "#1a1a1a", "#0060a8", "#c04a00", "#8c8c8c"
 WIDTH, HIGHEST, MARGIN = 480, 420, 44
 CURVE_SAMPLES = 65
 
