@@ -13,8 +13,9 @@ import threading
 from pathlib import Path
 from typing import NamedTuple
 
-from bezteach import __version__, environment, lab, workspace
-from bezteach.environment import Problem, say
+from bezteach import __version__
+from bezteach.setup import lab, processes, requirements, signing, virtualenv, workspace
+from bezteach.setup.progress import Problem, say
 
 
 class Command(NamedTuple):
@@ -47,23 +48,23 @@ def run_lab(arguments):
     # What cannot work shows now, not after a minute of installing.
     workspace.plan(source, target)
     port = lab.free_port(arguments.port)
-    environment.ready("lab", arguments.all)
+    virtualenv.ready("lab", arguments.all)
     report = workspace.copy_lessons(source, target)
     for line in workspace.summary(report, target):
         say(line)
-    if failure := workspace.sign(workspace.written(report, target)):
+    if failure := signing.sign(workspace.written(report, target)):
         say(f"could not sign the lessons ({failure}): pictures may show only after running a cell")
     return lab.serve(target, port, browser=not arguments.no_browser)
 
 
 def run_test(arguments):
     """Set up, then run pytest in the checkout; its output and its exit code as they come."""
-    root = environment.checkout()
+    root = requirements.checkout()
     if root is None:
         raise Problem("the tests come with a checkout of the project, and this is an installed package: clone it")
-    environment.ready("test", arguments.all)
+    virtualenv.ready("test", arguments.all)
     command = [sys.executable, "-m", "pytest", *arguments.rest]
-    return environment.become(command, environment.child_environment(root), cwd=root)
+    return processes.become(command, processes.child_environment(root), cwd=root)
 
 
 COMMANDS = {
@@ -122,8 +123,8 @@ def main(argv=None):
     try:
         with _orderly_end():
             if os.name == "posix":
-                # They were made to wait if this is the interpreter of a .venv just made: see ready().
-                signal.pthread_sigmask(signal.SIG_UNBLOCK, environment.ENDINGS)
+                # They were made to wait if this is the interpreter of a .venv just made: see virtualenv.ready().
+                signal.pthread_sigmask(signal.SIG_UNBLOCK, processes.ENDINGS)
             return COMMANDS[arguments.command].run(arguments)
     except (Problem, OSError) as problem:
         # An OSError that nobody foresaw is still about the user's machine, and its text says what and where.

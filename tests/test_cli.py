@@ -18,8 +18,9 @@ import psutil  # comes with ipykernel
 import pytest
 
 import bezteach
-from bezteach import cli, environment, lab
-from bezteach.environment import Problem
+from bezteach import cli
+from bezteach.setup import requirements
+from bezteach.setup.progress import Problem
 
 ROOT = Path(bezteach.__file__).parents[1]
 pytest_plugins = ["pytester"]
@@ -108,7 +109,7 @@ def test_arguments_behind_test_are_pytests(rest):
 
 
 def test_tests_of_an_installed_wheel(monkeypatch, capsys):
-    monkeypatch.setattr(environment, "checkout", lambda: None)
+    monkeypatch.setattr(requirements, "checkout", lambda: None)
     assert cli.main(["test"]) == 1
     assert capsys.readouterr().err.startswith("bezteach: the tests come with a checkout")
 
@@ -320,11 +321,7 @@ def test_port_in_use(lessons, home):
         server.listen()
         port = server.getsockname()[1]
         assert one_line(run("lab", "--no-browser", "--port", str(port)), f"port {port} is in use: choose another")
-        with pytest.raises(Problem):
-            lab.free_port(port)
-        assert lab.free_port() != port != lab.free_port(0)
     assert not (home / "bezteach-lessons").exists()
-    assert lab.free_port(port) == port
 
 
 def test_folder_that_cannot_be(lessons, home):
@@ -332,18 +329,3 @@ def test_folder_that_cannot_be(lessons, home):
     assert one_line(run("lab", "--no-browser", "--dir", "file"), "is not a folder")
     assert one_line(run("lab", "--no-browser", "--dir", "file/x"), "is not a folder")
     assert one_line(run("lab", "--no-browser", "--dir", str(lessons)), "belongs to the project")
-
-
-def test_page_to_open(tmp_path):
-    assert lab.start_page(tmp_path) == "/lab"
-    (tmp_path / "00-start.ipynb").touch()
-    assert lab.start_page(tmp_path) == "/lab/tree/00-start.ipynb"
-
-
-@pytest.mark.parametrize(("browser", "root_user"), [(True, False), (False, True)])
-def test_command_of_jupyterlab(browser, root_user):
-    options = lab.command(Path("/my folder"), 8888, "/lab", browser, root_user)
-    assert options[:3] == [sys.executable, "-m", "jupyterlab"]
-    assert {"--ServerApp.root_dir=/my folder", "--ServerApp.port=8888", "--ServerApp.port_retries=0"} <= set(options)
-    assert ("--no-browser" in options) is not browser
-    assert ("--allow-root" in options) is root_user

@@ -2,20 +2,18 @@
 
 import json
 import os
-import sqlite3
 import stat
 import tempfile
 from pathlib import Path
 
-import nbformat
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from nbformat.sign import NotebookNotary
 
-from bezteach import workspace
-from bezteach.environment import Problem
-from bezteach.workspace import MANIFEST, Step, copy_lessons
+from bezteach.setup import workspace
+from bezteach.setup.manifest import MANIFEST
+from bezteach.setup.progress import Problem
+from bezteach.setup.workspace import Step, copy_lessons
 
 
 @pytest.fixture
@@ -99,6 +97,62 @@ def test_the_one_beside_follows_later_releases_unless_it_was_changed_too(source,
     assert files(target) == expected
 
 
+def notebook(*texts):
+    """A notebook's text, with a code cell for each of these; what it printed is the same again."""
+    outputs = [[{"output_type": "stream", "name": "stdout", "text": [text]}] for text in texts]
+    cells = [
+        {"cell_type": "code", "id": text, "metadata": {}, "source": [text], "execution_count": 1, "outputs": output}
+        for text, output in zip(texts, outputs, strict=True)
+    ]
+    return json.dumps({"cells": cells, "metadata": {}, "nbformat": 4, "nbformat_minor": 5}, indent=1)
+
+
+def looked_at(text):
+    """A notebook's text as JupyterLab may save it when it was only opened; any other text as it is."""
+    try:
+        content = json.loads(text)
+        for cell in content["cells"]:
+            cell["source"] = "".join(cell["source"])
+    except (ValueError, KeyError):
+        return text
+    content.update(metadata={"language_info": {"name": "python", "version": "3.14.0"}}, nbformat_minor=6)
+    return json.dumps(content, indent=4)
+
+
+def test_lesson_that_was_only_looked_at_follows_the_next_release(source, target):
+    write(source, "a.ipynb", notebook("a1"))
+    copy_lessons(source, target)
+    saved = looked_at(notebook("a1"))
+    write(target, "a.ipynb", saved)
+    assert actions(copy_lessons(source, target))["a.ipynb"] == "same"
+    assert files(target)["a.ipynb"] == saved != notebook("a1")
+    write(source, "a.ipynb", notebook("a2"))
+    assert actions(copy_lessons(source, target))["a.ipynb"] == "update"
+    assert files(target)["a.ipynb"] == notebook("a2")
+
+
+@pytest.mark.parametrize(
+    "mine",
+    [
+        notebook("a1", "a2").replace('"text": [\n      "a1"', '"text": [\n      "other"'),
+        notebook("a1", "edited"),
+        notebook("a2", "a1"),
+        notebook("a1", "a2", "added"),
+        notebook("a1"),
+    ],
+    ids=["output", "source", "order", "added", "removed"],
+)
+def test_lesson_whose_cells_were_changed_is_kept(source, target, mine):
+    write(source, "a.ipynb", notebook("a1", "a2"))
+    copy_lessons(source, target)
+    assert mine != notebook("a1", "a2")
+    write(target, "a.ipynb", mine)
+    assert actions(copy_lessons(source, target))["a.ipynb"] == "keep"
+    write(source, "a.ipynb", notebook("a3"))
+    assert copy_lessons(source, target)[0] == Step("a.ipynb", "beside", "a (new).ipynb")
+    assert (files(target)["a.ipynb"], files(target)["a (new).ipynb"]) == (mine, notebook("a3"))
+
+
 def test_deleted_lesson_comes_back(source, target):
     copy_lessons(source, target)
     (target / "a.ipynb").unlink()
@@ -163,48 +217,63 @@ PLACES = (*NAMES, "a (new).ipynb", "b (new).ipynb", "a (new 2).ipynb", MANIFEST)
 EVENTS = st.one_of(
     st.tuples(st.just("release"), st.sampled_from(NAMES), st.sampled_from("1234")),
     st.tuples(st.just("edit"), st.sampled_from(PLACES), st.sampled_from(["mine", "1", "2", "{}"])),
+    st.tuples(st.just("look"), st.sampled_from(PLACES), st.none()),
     st.tuples(st.just("delete"), st.sampled_from(PLACES), st.none()),
     st.tuples(st.just("run"), st.none(), st.none()),
 )
 
 
+def meaning(folder):
+    """What the files say: of notebooks the cells."""
+
+    def said(text):
+        try:
+            return [("".join(cell["source"]), cell["outputs"]) for cell in json.loads(text)["cells"]]
+        except (ValueError, KeyError):
+            return text
+
+    return {name: said(text) for name, text in files(folder).items()}
+
+
 @settings(deadline=None, max_examples=150)
 @given(st.lists(EVENTS, max_size=25))
 def test_whatever_happens_no_file_the_user_changed_is_overwritten(events):
-    """Releases, edits, deletions and runs in any order, the manifest itself among the victims."""
+    """Releases, looks, edits, deletions and runs in any order, the manifest itself among the victims."""
     with tempfile.TemporaryDirectory() as folder:
         source, target = Path(folder, "shipped"), Path(folder, "mine")
         target.mkdir()
         for name in NAMES:
-            write(source, name, "1")
+            write(source, name, notebook("1"))
         users = {}
         for kind, name, text in [*events, ("run", None, None)]:
             if kind == "release":
-                write(source, name, text)
+                write(source, name, notebook(text))
             elif kind == "edit":
-                write(target, name, text)
+                write(target, name, text if text == "{}" else notebook(text))
                 # What is equal to something shipped is no work of the user's.
-                users[name] = text
-                if text != "mine":
-                    del users[name]
+                users.pop(name, None)
+                if text == "mine":
+                    users[name] = meaning(target).get(name)
+            elif kind == "look":
+                if (target / name).is_file():
+                    write(target, name, looked_at((target / name).read_text(encoding="utf-8")))
             elif kind == "delete":
                 (target / name).unlink(missing_ok=True)
                 users.pop(name, None)
             else:
                 users.pop(MANIFEST, None)
                 steps = copy_lessons(source, target)
-                now = files(target)
+                now, shipped = meaning(target), meaning(source)
                 assert {name: now[name] for name in users} == users
                 assert {step.path for step in steps} == set(NAMES)
                 for step in steps:
-                    shipped = (source / step.path).read_text(encoding="utf-8")
                     if step.action in ("copy", "update", "same"):
-                        assert now[step.path] == shipped
+                        assert now[step.path] == shipped[step.path]
                     elif step.action == "beside":
-                        assert now[step.place] == shipped != now[step.path]
+                        assert now[step.place] == shipped[step.path] != now[step.path]
                 # The same again has nothing to do.
                 assert {step.action for step in copy_lessons(source, target)} <= {"same", "keep"}
-                assert files(target) == now
+                assert meaning(target) == now
 
 
 # --- what goes wrong
@@ -341,42 +410,6 @@ def test_summary_counts_and_names_what_is_beside():
     assert "e.ipynb" in second and "e (new).ipynb" in second
 
 
-# --- signing
-
-
-@pytest.fixture
-def jupyter_data(tmp_path, monkeypatch):
-    for name in ("JUPYTER_DATA_DIR", "JUPYTER_CONFIG_DIR", "JUPYTER_RUNTIME_DIR"):
-        monkeypatch.setenv(name, str(tmp_path / name))
-    return tmp_path / "JUPYTER_DATA_DIR"
-
-
-def test_copied_notebooks_are_trusted(source, target, jupyter_data):
-    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_markdown_cell("x")])
-    nbformat.write(notebook, source / "a.ipynb")
-    nbformat.write(notebook, source / "b.ipynb")
-    paths = workspace.written(copy_lessons(source, target), target)
-    assert [path.name for path in paths] == ["a.ipynb", "b.ipynb"]
-    assert workspace.sign(paths) == ""
-    with NotebookNotary() as notary:
-        assert notary.check_signature(nbformat.read(target / "a.ipynb", as_version=4))
-
-
-def test_signing_that_fails_says_why_and_raises_nothing(source, target, jupyter_data, monkeypatch, capfd):
-    paths = workspace.written(copy_lessons(source, target), target)
-    assert workspace.sign(paths) != ""  # no notebooks at all
-    nbformat.write(nbformat.v4.new_notebook(), target / "a.ipynb")
-
-    def connect(name, **options):
-        if name != ":memory:":
-            raise sqlite3.OperationalError("disk I/O error")
-        return real(name, **options)
-
-    real = sqlite3.connect
-    monkeypatch.setattr(sqlite3, "connect", connect)
-    assert workspace.sign(paths[:1]) == "the database of signatures cannot be written"
-    assert capfd.readouterr() == ("", "")
-
-
-def test_nothing_to_sign():
-    assert workspace.sign([]) == ""
+def test_written_notebooks_are_named_and_other_files_are_not():
+    steps = [Step("a.ipynb", "copy", "a.ipynb"), Step("b.ipynb", "keep"), Step("c.svg", "copy", "c.svg")]
+    assert workspace.written(steps, Path("mine")) == [Path("mine", "a.ipynb")]

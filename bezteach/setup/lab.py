@@ -16,7 +16,9 @@ import time
 import urllib.parse
 from pathlib import Path
 
-from bezteach.environment import PACKAGE, Problem, checkout, child_environment, end, held_back, reason, say, start
+from bezteach.setup.processes import child_environment, end, held_back, start
+from bezteach.setup.progress import Problem, reason, say
+from bezteach.setup.requirements import checkout
 
 HOST = "127.0.0.1"
 FIRST_LESSON = "00-start.ipynb"
@@ -78,7 +80,7 @@ def serve(folder, port, browser):
     environment = child_environment(checkout())
     environment["JUPYTER_TOKEN"] = token
     # No question about news before the lesson, and nothing fetched; the user's own settings still have the last word.
-    paths = [str(PACKAGE / "jupyter"), environment.get("JUPYTER_CONFIG_PATH", "")]
+    paths = [str(Path(__file__).resolve().parent), environment.get("JUPYTER_CONFIG_PATH", "")]
     environment["JUPYTER_CONFIG_PATH"] = os.pathsep.join(filter(None, paths))
     # Else a kernel of the same name that the user once installed for another Python would be taken.
     environment["JUPYTER_PREFER_ENV_PATH"] = "1"
