@@ -26,7 +26,7 @@ def ask(name):
     def show(_=None):
         right, feedback = judge(question, answer.value)
         sign = {True: "✓", False: "✗", None: "…"}[right]
-        said.value = f"<p role='status'><b>{sign}</b> {escape(feedback)}</p>"
+        said.value = f"<span role='status'><b>{sign}</b> {escape(feedback)}</span>"
 
     check.on_click(show)
     if not isinstance(question, Choice):
