@@ -1,0 +1,57 @@
+"""``prove``: the statement, then the refuter, then one prover after the other until one decides.
+
+A prover is a function from a statement and a budget to a ``Proof`` or None. It may raise OutOfTime or Unsupported,
+which is the same as None, and InvalidStatement.
+"""
+
+from .algebra import by_algebra
+from .budget import Budget
+from .errors import InvalidStatement, OutOfTime, Unsupported
+from .fixed import by_cases
+from .induction import by_induction
+from .refuter import counterexample
+from .statement import statement
+from .verdict import INVALID, REFUTED, UNDECIDED, Proof, Verdict
+
+PROVERS = [by_algebra, by_induction, by_cases]
+REFUTERS_SHARE = 0.4
+
+
+def prove(lhs, rhs=None, *, given=None, budget=10.0):
+    """Decide whether lhs = rhs, or a relation, holds for all values in its ranges, within a budget of seconds.
+
+    ``given`` is {symbol: (low, high) or a SymPy Interval}; an integer symbol without one ranges over the non-negative
+    integers, a real one over all reals.
+
+    >>> from bezteach.symbolic import B, i, n, t
+    >>> verdict = prove(t * B(i, n, t), (i + 1) / (n + 1) * B(i, n + 1, t), given={i: (0, n)})
+    >>> verdict.status, verdict.counterexample
+    ('REFUTED', n = 0, i = 0, t = 1/3: 1/3 on the left, 2/3 on the right)
+    """
+    clock, claim = Budget(budget), None
+    try:
+        claim = statement(lhs, rhs, given)
+        proof = _decided(claim, clock)
+    except InvalidStatement as error:
+        proof = Proof(INVALID, "", note=str(error))
+    except RecursionError:
+        proof = Proof(INVALID, "", note="the expression is nested too deeply")
+    return Verdict(
+        proof.status, proof.method, proof.steps, clock.spent, proof.counterexample, proof.note, statement=claim
+    )
+
+
+def _decided(claim, clock):
+    found = counterexample(claim, clock.part(REFUTERS_SHARE))
+    if found.counterexample is not None:
+        return Proof(REFUTED, "refuter", note=str(found), counterexample=found.counterexample)
+    if found.undefined is not None:
+        raise InvalidStatement(f"neither side has a value at {found.undefined.point()}: {found.undefined.lhs}")
+    for prover in PROVERS:
+        try:
+            proof = prover(claim, clock)
+        except (OutOfTime, Unsupported):
+            continue
+        if proof is not None:
+            return proof
+    return Proof(UNDECIDED, "", note=f"no counterexample: {found}")

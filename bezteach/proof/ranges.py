@@ -1,0 +1,134 @@
+"""Where the symbols of a statement range, and in which order one walks through their values.
+
+An integer symbol has ``Integers``, a real one a SymPy ``Interval``; the ends may be expressions in other symbols. What
+a symbol is, its assumptions decide, and where it has none, its use: a symbol inside a degree, an index, the limit of a
+sum, an order of differentiation, the argument of a binomial or factorial, or an exponent is an integer, any other is
+real.
+"""
+
+from typing import NamedTuple
+
+from sympy import Expr, Interval, S, Symbol, ceiling, floor, oo
+
+from bezteach.symbolic import E
+
+from .errors import InvalidStatement
+from .evaluate import evaluator, expression
+from .uses import uses
+
+
+class Integers(NamedTuple):
+    """The integers from low to high, both included if finite."""
+
+    low: Expr
+    high: Expr
+
+
+def ranges(expressions, given):
+    """The range of each free symbol, in the order of the walk: n, the other integers, then the reals.
+
+    A symbol comes after those that its ends contain. ``InvalidStatement`` says what is wrong with a symbol or a range.
+    """
+    if not isinstance(given, dict | None):
+        raise InvalidStatement(f"given is {given!r}, not a dict of ranges")
+    given = {symbol: _range(symbol, wanted) for symbol, wanted in (given or {}).items()}
+    found = [use for expr in expressions for use in uses(expr)]
+    found += [use for r in given.values() for end in ends(r) for use in uses(end, isinstance(r, Integers))]
+    _check_names({use.symbol for use in found} | set(given))
+    free = {use.symbol for use in found if not use.bound}
+    for symbol in given:
+        if symbol not in free:
+            where = (
+                ", except as the variable of a sum or an integral" if symbol in {use.symbol for use in found} else ""
+            )
+            raise InvalidStatement(f"a range is given for {symbol}, which does not occur{where}")
+    integers = {symbol for symbol in free if _is_integer(symbol, any(use.whole for use in found if use[0] == symbol))}
+    return _in_order({symbol: _settled(symbol, symbol in integers, given.get(symbol)) for symbol in free})
+
+
+def _range(symbol, wanted):
+    if not isinstance(symbol, Symbol):
+        raise InvalidStatement(f"a range is given for {symbol!r}, which is not a symbol")
+    if isinstance(wanted, tuple) and len(wanted) == 2:
+        return Integers(*map(expression, wanted))
+    if isinstance(wanted, Interval):
+        return wanted
+    empty = wanted is S.EmptySet
+    raise InvalidStatement(f"the range of {symbol} " + ("is empty" if empty else f"is {wanted}, not (low, high)"))
+
+
+def _check_names(symbols):
+    names = {}
+    for symbol in symbols:
+        if names.setdefault(symbol.name, symbol) != symbol:
+            raise InvalidStatement(f"two different symbols are called {symbol.name}: their assumptions differ")
+        if symbol.name == E.name:
+            raise InvalidStatement("a symbol is called E: that is the operator, bezteach.symbolic.E")
+        strange = [s for s in ("even", "odd", "prime", "composite", "zero") if getattr(symbol, f"is_{s}")]
+        strange += ["noncommutative"] * (not symbol.is_commutative) + ["not real"] * (symbol.is_extended_real is False)
+        strange += ["irrational"] * bool(symbol.is_irrational)
+        if symbol.is_zero is False and not (symbol.is_positive or symbol.is_negative or symbol.is_integer is False):
+            strange.append("nonzero")
+        if strange:
+            raise InvalidStatement(f"{symbol} is declared {strange[0]}: this engine reads no such assumption")
+
+
+def _is_integer(symbol, used_as_integer):
+    """By its assumptions, else by its use."""
+    if symbol.is_integer:
+        return True
+    if used_as_integer and (symbol.is_integer is False or symbol.is_real):
+        raise InvalidStatement(f"{symbol} stands where a whole number must stand, but is declared real")
+    return used_as_integer
+
+
+def _settled(symbol, is_integer, given):
+    """The range with its default; what the assumptions of the symbol exclude is not in it."""
+    low, high = assumed(symbol, is_integer)
+    if not is_integer:
+        if isinstance(given, Integers):
+            given = Interval(*given)
+        found = Interval(low, high, bool(symbol.is_positive), bool(symbol.is_negative)) if given is None else given
+        if not isinstance(found, Interval):
+            raise InvalidStatement(f"the range of {symbol} is {found}, not an interval")
+    else:
+        if isinstance(given, Interval):
+            raise InvalidStatement(f"{symbol} is an integer: give its range as (low, high)")
+        found = given or Integers(max(low, S.Zero), high)
+    first, last = ends(found)
+    if first.is_number and last.is_number:
+        inside = (ceiling(first), floor(last)) if is_integer else (first, last)
+        if first is oo or last is -oo or not inside[0] <= inside[1]:
+            raise InvalidStatement(f"the range of {symbol} is empty")
+    closed_at_zero = symbol.is_positive and first == 0 and not is_integer and not found.left_open
+    if closed_at_zero or (first.is_number and first < low) or (last.is_number and last > high):
+        raise InvalidStatement(f"the range of {symbol} goes beyond what is assumed of the symbol")
+    return found
+
+
+def assumed(symbol, is_integer):
+    """The lowest and the highest value that the assumptions of a symbol allow."""
+    edge = S.One if is_integer else S.Zero
+    low = edge if symbol.is_positive else S.Zero if symbol.is_nonnegative else -oo
+    high = -edge if symbol.is_negative else S.Zero if symbol.is_nonpositive else oo
+    return low, high
+
+
+def ends(found):
+    """The lower and the upper end of a range."""
+    return tuple(found) if isinstance(found, Integers) else (found.start, found.end)
+
+
+def _in_order(found):
+    order = {}
+    names = {s: [use.symbol for end in ends(found[s]) for use in uses(end)] for s in found}
+    rest = sorted(found, key=lambda s: (not isinstance(found[s], Integers), s.name != "n", bool(names[s]), s.name))
+    while rest:
+        ready = [s for s in rest if all(name in order for name in names[s])]
+        if not ready:
+            raise InvalidStatement(f"the ranges of {', '.join(map(str, rest))} depend on each other in a circle")
+        order[ready[0]] = found[ready[0]]
+        rest.remove(ready[0])
+        for end in ends(found[ready[0]]):
+            evaluator(end, tuple(order))
+    return order

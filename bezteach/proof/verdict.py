@@ -1,0 +1,73 @@
+"""What the engine says of a statement, and how it shows it."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from bezteach.symbolic import Step, latex
+
+from .errors import Undefined
+from .polynomial import to_sympy
+from .refuter import Counterexample
+from .statement import Statement
+
+PROVED, ARGUED, CHECKED = "PROVED", "ARGUED", "CHECKED"
+REFUTED, UNDECIDED, INVALID = "REFUTED", "UNDECIDED", "INVALID"
+
+
+class Proof(NamedTuple):
+    """What a prover returns when it has decided a statement; the status may be any but INVALID."""
+
+    status: str
+    method: str
+    steps: tuple[Step, ...] = ()
+    note: str = ""
+    counterexample: Counterexample | None = None
+
+
+@dataclass(frozen=True, repr=False)
+class Verdict:
+    """One of the six statuses, by which method and steps, after how many seconds; why, or where it fails."""
+
+    status: str
+    method: str = ""
+    steps: tuple[Step, ...] = ()
+    seconds: float = 0.0
+    counterexample: Counterexample | None = None
+    note: str = ""
+    statement: Statement | None = None
+
+    def __repr__(self):
+        how = f" ({self.method})" if self.method else ""
+        what = "" if self.statement is None else f"{self.statement}"
+        why = "; ".join(str(part) for part in (self.counterexample, self.note) if part)
+        return f"{self.status}{how}: " + "; ".join(part for part in (what, why) if part)
+
+    def _repr_latex_(self):
+        how = f" ({self.method})" if self.method else ""
+        lines = [] if self.statement is None else [self.statement.latex()]
+        lines.append(rf"\textbf{{{self.status}}}" + _text(how))
+        if self.counterexample is not None:
+            lines += [_point(self.counterexample), _sides(self.counterexample)]
+        if self.note:
+            lines.append(_text(self.note))
+        return "$$\\begin{gathered}\n" + " \\\\[1ex]\n".join(lines) + "\n\\end{gathered}$$"
+
+
+def _point(found):
+    values = [f"{latex(symbol)} = {latex(to_sympy(value))}" for symbol, value in found.values.items()]
+    return r",\quad ".join(values) or _text("as it stands")
+
+
+def _sides(found):
+    return rf"\text{{left: }} {_value(found.lhs)} \qquad \text{{right: }} {_value(found.rhs)}"
+
+
+def _value(value):
+    return _text(f"undefined ({value})") if isinstance(value, Undefined) else latex(to_sympy(value))
+
+
+_SPECIAL = {"\\": r"\backslash ", "^": r"\wedge "} | {mark: "\\" + mark for mark in "_{}%$#&"}
+
+
+def _text(words):
+    return rf"\text{{{''.join(_SPECIAL.get(mark, mark) for mark in words)}}}"

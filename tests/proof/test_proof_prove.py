@@ -1,0 +1,251 @@
+"""prove: the verdicts that need no method for symbolic n, how they show themselves, and that the budget is kept."""
+
+from fractions import Fraction as F
+from time import perf_counter
+
+import pytest
+from hypothesis import given as generated
+from hypothesis import settings
+from proof_trees import TREES, built, by_hand
+from sympy import (
+    Derivative,
+    Eq,
+    Ge,
+    Integral,
+    Interval,
+    KroneckerDelta,
+    Le,
+    Mul,
+    Rational,
+    Sum,
+    Symbol,
+    binomial,
+    expand,
+    factorial,
+    oo,
+)
+
+from bezteach.proof import (
+    CHECKED,
+    INVALID,
+    PROVED,
+    REFUTED,
+    UNDECIDED,
+    Budget,
+    OutOfTime,
+    Undefined,
+    evaluate,
+    prove,
+    statement,
+)
+from bezteach.proof.fixed import by_cases
+from bezteach.symbolic import B, E, Step, b, i, j, k, n, step, t, u
+
+c = Symbol("c", real=True)
+m = Symbol("m", integer=True, nonnegative=True)
+SYMMETRY = (B(i, n, t), B(n - i, n, 1 - t))
+
+
+def cases(lhs, rhs=None, given=None, seconds=60):
+    """The verdict of this method alone, the others left out."""
+    return by_cases(statement(lhs, rhs, given), Budget(seconds))
+
+
+def test_finite_ranges_are_proved_by_all_cases():
+    proof = cases(*SYMMETRY, {n: (2, 4), i: (0, n)})
+    assert (proof.status, proof.method, proof.note) == (
+        PROVED,
+        "all cases",
+        "all 12 cases, as identities of polynomials",
+    )
+    assert cases(step(t) ** 3 * b[0], Sum(B(i, 3, t) * b[i], (i, 0, 3))).status == PROVED
+    assert cases(Sum(B(i, 5, t), (i, 0, 5)), 1).note == "the only case, as identities of polynomials"
+    assert cases(binomial(6, 2) - factorial(5) / 8, 0).status == PROVED
+
+
+def test_a_range_in_a_range():
+    claim = (B(i, n, t) * B(j, n, t), B(j, n, t) * B(n - i, n, 1 - t))
+    assert cases(*claim, {n: (0, 3), i: (0, n), j: (i, n)}).note.startswith("all 20 cases")
+
+
+def test_inequalities_of_numbers_are_proved_by_all_cases_and_others_are_not():
+    assert cases(Le(binomial(n, k), binomial(8, 4)), given={n: (0, 8), k: (0, n)}).status == PROVED
+    assert cases(Ge(B(i, 3, t), 0), given={i: (0, 3), t: Interval(0, 1)}) is None
+    assert cases(Ge(B(0, n, t) + B(1, n, t) + n, 1), given={n: (0, 1)}).status == PROVED
+
+
+def test_a_degree_without_end_is_only_checked_and_says_which():
+    proof = cases(*SYMMETRY, {n: (1, oo), i: (0, n)})
+    assert (proof.status, proof.method) == (CHECKED, "fixed degrees")
+    assert proof.note == "exact for n = 1..8 and every value of the other symbols, and for nothing else"
+    assert (
+        "n = 0..5, m = 0..5"
+        in cases(B(i, m, t) * B(j, n, t), B(j, n, t) * B(m - i, m, 1 - t), {i: (0, m), j: (0, n)}).note
+    )
+    assert "n = 100..104" in cases(B(0, n, t), B(n, n, 1 - t), {n: (100, oo)}).note
+
+
+def test_a_degree_with_too_many_values_is_only_checked():
+    proof = cases(B(0, n, t), B(n, n, 1 - t), {n: (0, 10**9)})
+    assert proof.status == CHECKED and "n = 0..8" in proof.note
+    # Where it fails first lies beyond what is looked at, or within, or nowhere.
+    wrong = Mul(*[n - value for value in range(40)])
+    assert prove(wrong, 0).status == CHECKED
+    assert prove(wrong, 0, given={n: (0, 60)}).status == REFUTED
+    assert prove(wrong, 0, given={n: (0, 60)}).counterexample.values == {n: 40}
+    assert prove(wrong, 0, given={n: (0, 39)}).status == PROVED
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs"),
+    [
+        (t / t**2, 1 / t),
+        (B(1, 2, t) / (1 - t), 2 * t),
+        ((t**2 - 1) / (t - 1), t + 1),
+        (B(1, 2, t) * (1 - t) ** -1, 2 * t),
+    ],
+)
+def test_dividing_by_a_polynomial_never_proves(lhs, rhs):
+    """At the zero of the divisor the left has no value, so they are refuted or invalid unless it is excluded."""
+    assert cases(lhs, rhs) is None
+    assert prove(lhs, rhs).status in (REFUTED, INVALID)
+    assert prove(lhs, rhs, given={t: Interval.open(2, 3)}).status == UNDECIDED
+
+
+def test_a_false_identity_that_holds_at_every_usual_value_is_refuted_as_polynomials():
+    usual = [F(1, 2), F(1, 3), F(2), F(0), F(1), F(-1), F(3, 4), F(3), F(-5, 2)]
+    vanishing = Mul(*[t - Rational(value.numerator, value.denominator) for value in usual])
+    verdict = prove(vanishing, 0)
+    assert verdict.status == REFUTED and verdict.counterexample.values == {t: F(1, 7)}
+    assert prove(n * vanishing, 0).counterexample.values == {n: 1, t: F(1, 7)}
+
+
+def test_a_false_statement_about_points_is_refuted_only_by_the_letters():
+    """Numbers in the place of the points could agree by chance: b_0 b_1 = b_1 b_0, but b_0 is not b_1."""
+    assert prove(b[0] * b[1] - b[1] * b[0], 0).status == PROVED
+    assert prove(b[0], b[1]).status == REFUTED
+    assert prove(E**2 - 1, (E - 1) * (E + 1)).status == PROVED
+    assert prove(E, 1).status == REFUTED
+
+
+def test_empty_ranges_are_invalid_where_it_shows():
+    assert prove(B(i, n, t), 7, given={n: (0, 3), i: (n + 1, n)}).note == "the ranges of the integers allow no value"
+    assert prove(t, t, given={t: Interval.open(1, 1)}).status == INVALID
+    assert prove(b[i] + b[n], 0, given={i: (n - 1, 0)}).note.startswith("at n = 0 the range of i goes beyond")
+
+
+@settings(max_examples=120, deadline=None, derandomize=True)
+@generated(TREES, TREES)
+def test_what_is_refuted_differs_and_what_is_proved_agrees_when_it_is_written_out(left, right):
+    verdict = prove(built(left), built(right), given={n: (0, 2), i: (0, 2)} | {t: Interval(0, 1)}, budget=5)
+    if verdict.status == INVALID:
+        assert "does not occur" in verdict.note or "neither side" in verdict.note
+        verdict = prove(built(left) + n + i + t, built(right) + n + i + t, given={n: (0, 2), i: (0, 2), t: (0, 1)})
+    found = verdict.counterexample
+    if found and not any(isinstance(side, Undefined) for side in found[1:]):
+        places = {name: Rational(value.numerator, value.denominator) for name, value in found.values.items()}
+        assert expand(by_hand(left, places) - by_hand(right, places)) != 0
+    if verdict.status == PROVED:
+        for degree in range(3):
+            places = {n: Rational(degree), i: Rational(2 - degree), t: Rational(2, 5), u: Rational(-7, 3)}
+            assert expand(by_hand(left, places) - by_hand(right, places)) == 0
+
+
+def test_it_is_undecided_when_nothing_applies():
+    verdict = prove(Ge(B(i, n, t), 0), given={i: (0, n), t: Interval(0, 1)})
+    assert (verdict.status, verdict.method, verdict.steps) == (UNDECIDED, "", ())
+    assert verdict.note == "no counterexample: 405 points checked"
+
+
+@pytest.mark.parametrize(
+    "claim",
+    [
+        (Sum(Sum(Sum(B(i, 300, t), (i, 0, 300)), (j, 0, 300)), (k, 0, 300)), 301**2),
+        (Sum(step(t) ** n * step(u) ** n, (k, 0, 4000)), 4001 * step(u) ** n * step(t) ** n),
+        (
+            Integral(Derivative((t + u + c) ** n, (t, 2)), (t, 0, 1)),
+            Integral(Derivative((t + u + c) ** n, (t, 2)), (t, 0, u)),
+        ),
+        (
+            Sum(b[i] * b[j] * b[k], (i, 0, n), (j, 0, n), (k, 0, 99 * n)),
+            Sum(b[i], (i, 0, n)) ** 2 * Sum(b[k], (k, 0, 99 * n)),
+        ),
+    ],
+)
+def test_the_budget_is_kept(claim):
+    begin = perf_counter()
+    verdict = prove(*claim, budget=0.3)
+    assert perf_counter() - begin < 4
+    assert verdict.status in (UNDECIDED, CHECKED, REFUTED)
+
+
+class Turns(Budget):
+    """A budget of so many turns of loops, so that a test can stop the engine anywhere."""
+
+    def __init__(self, turns):
+        super().__init__(60)
+        self.turns = turns
+
+    def spend(self):
+        self.turns -= 1
+        if self.turns < 0:
+            raise OutOfTime
+
+
+@pytest.mark.parametrize("turns", range(0, 200, 3))
+def test_out_of_time_half_way_nothing_is_claimed_that_was_not_done(turns):
+    """Both fail at n = i = 6 only; out of time before that, the degree 6 may not be listed."""
+    fails = KroneckerDelta(n, 6) * KroneckerDelta(i, 6)
+    proof = by_cases(statement(fails, 0, {n: (0, 6), i: (0, n)}), Turns(turns))
+    assert proof is None or proof.status == REFUTED
+    proof = by_cases(statement(fails, 0, {n: (0, oo), i: (0, n)}), Turns(turns))
+    assert proof is None or proof.status == REFUTED or any(f"n = 0..{last} " in proof.note for last in range(6))
+
+
+def test_out_of_time_half_way_the_degrees_that_were_done_are_listed():
+    claim = statement(*SYMMETRY, {i: (0, n)})
+    notes = {proof.note for turns in range(400) if (proof := by_cases(claim, Turns(turns)))}
+    assert "exact for n = 0..3 and every value of the other symbols, and for nothing else" in notes
+    assert len(notes) == 9
+
+
+def test_no_budget_no_verdict():
+    assert prove(*SYMMETRY, given={i: (0, n)}, budget=0).status == UNDECIDED
+    assert prove(sum(b[0] * t for _ in range(3)), 3 * t * b[0], budget=0).status == UNDECIDED
+
+
+def test_prove_takes_two_sides_or_the_relation():
+    one, two = prove(*SYMMETRY), prove(Eq(*SYMMETRY, evaluate=False))
+    assert (one.status, one.note) == (two.status, two.note)
+    assert one.statement == two.statement
+
+
+def test_the_steps_say_what_both_sides_are():
+    verdict = cases(*SYMMETRY, given={n: (1, 1), i: (0, n)})
+    assert verdict.steps[0] == Step(1 - t, "both sides, expanded for n = 1, i = 0")
+    assert evaluate(verdict.steps[1].expression, {t: F(1, 3)}) == F(1, 3)
+
+
+def test_a_verdict_in_a_terminal():
+    verdict = prove(t * B(i, n, t), (i + 1) / (n + 1) * B(i, n + 1, t), given={i: (0, n)})
+    assert repr(verdict) == (
+        "REFUTED (refuter): t*B(i, n, t) = (i + 1)*B(i, n + 1, t)/(n + 1); "
+        "n = 0, i = 0, t = 1/3: 1/3 on the left, 2/3 on the right; 2 points checked"
+    )
+    assert repr(prove(t, t, given={u: (0, 1)})) == "INVALID: a range is given for u, which does not occur"
+    assert "\n" not in repr(prove(*SYMMETRY))
+    assert verdict.seconds > 0
+
+
+def test_a_verdict_in_a_notebook():
+    verdict = prove(t * B(i, n, t), (i + 1) / (n + 1) * B(i, n + 1, t), given={i: (0, n)})
+    shown = verdict._repr_latex_()
+    assert r"\textbf{REFUTED}" in shown and r"n = 0,\quad i = 0,\quad t = \frac{1}{3}" in shown
+    assert r"\text{left: } \frac{1}{3} \qquad \text{right: } \frac{2}{3}" in shown
+    assert verdict.statement.latex() in shown
+    missing = prove(B(i, n, t), (1 - t) * B(i, n - 1, t) + t * B(i - 1, n - 1, t))._repr_latex_()
+    assert r"\text{right: } \text{undefined (B of degree -1)}" in missing
+    assert (
+        r"\text{a range is given for x\_1, which does not occur}"
+        in prove(t, t, given={Symbol("x_1"): (0, 1)})._repr_latex_()
+    )
