@@ -4,7 +4,7 @@ What is left is a rational function, and 0 or not. Where a binomial coefficient 
 have another form: these finitely many edges, such as i = 0, i = n or n = 0, are proved apart in the same way.
 """
 
-from sympy import Add, Dummy, Indexed, Mul, S, Subs, Sum, cancel, expand
+from sympy import Add, Dummy, Indexed, Mul, S, Subs, Sum, cancel, expand, oo
 
 from bezteach.symbolic import B, Step
 
@@ -38,7 +38,7 @@ def by_algebra(statement, budget):
     conditions = []
     for symbol in whole:
         low, high = statement.ranges[symbol]
-        conditions += [symbol - low] * low.is_finite + [high - symbol] * high.is_finite
+        conditions += [symbol - low] * (low != -oo) + [high - symbol] * (high != oo)
     if least(S.Zero, conditions) != 0:
         return None  # nothing is in the ranges, and nothing is said of it
     try:

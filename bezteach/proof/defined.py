@@ -8,7 +8,7 @@ from sympy import Derivative, Indexed, Integral, Pow, Subs, Sum, binomial, facto
 
 from bezteach.symbolic import B, E
 
-from .linear import least
+from .linear import coefficients, least
 from .terms import Failure
 
 
@@ -32,8 +32,10 @@ def check_defined(expr, conditions):
     if isinstance(expr, Pow):
         _check_power(expr, conditions)
     elif isinstance(expr, B):
+        _check_whole(expr, *expr.args[:2])
         _check_not_negative(expr, expr.args[1], conditions)
     elif isinstance(expr, binomial | factorial):
+        _check_whole(expr, *expr.args)
         _check_not_negative(expr, expr.args[0], conditions)
     for part in _bodies(expr):
         check_defined(part, conditions)
@@ -46,6 +48,13 @@ def _bodies(expr):
     return (expr.function,) if isinstance(expr, Integral) else expr.args
 
 
+def _check_whole(expr, *forms):
+    for form in forms:
+        found = coefficients(form)
+        if found is None or not all(c.is_Integer for c in found.values()):
+            raise Failure(f"{form} in {expr} is not known to be a whole number")
+
+
 def _check_not_negative(expr, form, conditions):
     if least(form, conditions) < 0:
         raise Failure(f"{expr} is not defined where {form} is negative")
@@ -53,6 +62,7 @@ def _check_not_negative(expr, form, conditions):
 
 def _check_power(expr, conditions):
     base, exponent = expr.as_base_exp()
+    _check_whole(expr, exponent)
     if base == E or (base.is_number and base.is_nonzero):
         return
     if exponent.is_Integer and exponent < 0:

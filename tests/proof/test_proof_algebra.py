@@ -2,7 +2,7 @@
 
 import pytest
 from proof_claims import CLAIMS, given, mutants
-from sympy import Derivative, Subs, Sum, binomial, factorial, nan, oo, zoo
+from sympy import Derivative, Rational, Subs, Sum, binomial, factorial, nan, oo, symbols, zoo
 
 from bezteach.proof import Budget, InvalidStatement, counterexample, prove, statement
 from bezteach.proof.algebra import by_algebra
@@ -93,6 +93,8 @@ def test_the_deck_s_sign_at_the_right_end_is_not_proved_but_refuted():
         pytest.param(Sum(k, (k, 1, n)), n * (n + 1) / 2, {n: (-5, oo)}, id="SymPy's negative sums"),
         pytest.param(factorial(n - 1) * n, factorial(n), {}, id="(-1)! is not defined"),
         pytest.param(0 * t + 0**n, 0, {}, id="0^0 is 1"),
+        pytest.param(t ** (i - Rational(1, 2)), t ** (i - Rational(1, 2)), {}, id="an exponent that is not whole"),
+        pytest.param(binomial(n, i / 2), binomial(n, i / 2), {}, id="a lower number that is not whole"),
         pytest.param(1 / (1 + E), 1 / (1 + E), {}, id="an operator in a denominator"),
     ],
 )
@@ -121,6 +123,11 @@ def test_an_index_is_not_caught_when_an_edge_is_put_in():
     assert proof(lhs, rhs, {n: (1, oo), i: (0, n)}).status == "PROVED"
     renamed = lhs.xreplace({j: r})
     assert proof(renamed, rhs, {n: (1, oo), i: (0, n)}).status == "PROVED"
+
+
+def test_plain_symbols_are_understood_by_their_use():
+    m, x = symbols("m x")
+    assert prove(Sum(B(i, m, x), (i, 0, m)), 1).status == "PROVED"
 
 
 def test_steps_are_shown_as_a_reader_would_write_them():
