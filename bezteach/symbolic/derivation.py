@@ -11,17 +11,27 @@ p = Function("p")
 
 
 class Step(NamedTuple):
-    """One line: an expression, why it follows, and, where a new chain of equalities begins, what it is equal to."""
+    """One line: an expression, why it follows, and, where a new chain of equalities begins, what it is equal to.
+
+    The expression may be a relation too, which stands for itself.
+    """
 
     expression: Expr
     reason: str
     left: Expr | None = None
 
+    def latex(self, align=""):
+        """The line without its reason; ``align`` stands before the sign of equality."""
+        sign = "" if self.expression.is_Relational else "= "
+        left = "" if self.left is None else latex(self.left) + " "
+        return f"{left}{align}{sign}{latex(self.expression)}"
+
     def _repr_latex_(self):
-        return rf"$\displaystyle {_left(self)} = {latex(self.expression)}$"
+        return rf"$\displaystyle {self.latex()}$"
 
     def __repr__(self):
-        return f"{'' if self.left is None else self.left} = {self.expression}    ({self.reason})".strip()
+        sign = "" if self.expression.is_Relational else "= "
+        return f"{'' if self.left is None else f'{self.left} '}{sign}{self.expression}    ({self.reason})"
 
 
 class Derivation(tuple):
@@ -35,12 +45,8 @@ class Derivation(tuple):
         return "\n".join(map(repr, self))
 
     def _repr_latex_(self):
-        lines = [rf"{_left(step)} &= {latex(step.expression)} && \text{{{step.reason}}}" for step in self]
+        lines = [rf"{step.latex('&')} && \text{{{step.reason}}}" for step in self]
         return "$$\\begin{aligned}\n" + " \\\\[1ex]\n".join(lines) + "\n\\end{aligned}$$"
-
-
-def _left(step):
-    return "" if step.left is None else latex(step.left)
 
 
 def derived(steps):

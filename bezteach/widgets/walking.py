@@ -4,7 +4,6 @@ from html import escape
 
 import ipywidgets as widgets
 
-from ..symbolic import latex
 from .panel import Panel
 
 
@@ -39,8 +38,7 @@ def walk(derivation):
 
 
 def _line(step):
-    left = "" if step.left is None else latex(step.left)
-    formula = escape(f"$\\displaystyle {left} = {latex(step.expression)}$")
+    formula = escape(f"$\\displaystyle {step.latex()}$")
     return (
         f"<div style='margin:0.7em 0; font-size:115%'>{formula}"
         f"<span style='margin-left:1.5em; font-size:80%; opacity:0.8'>{escape(step.reason)}</span></div>"
