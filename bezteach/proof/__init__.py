@@ -5,9 +5,11 @@ exact evaluator that judges every prover; ``counterexample`` walks through the a
 """
 
 from .budget import Budget
+from .derivations import check_derivation
 from .engine import prove
 from .errors import InvalidStatement, OutOfTime, Undefined, Unsupported
 from .evaluate import evaluate, evaluator
+from .judgement import Judgement
 from .refuter import Counterexample, counterexample
 from .statement import Statement, statement
 from .verdict import ARGUED, CHECKED, INVALID, PROVED, REFUTED, UNDECIDED, Proof, Verdict
@@ -20,6 +22,7 @@ __all__ = [
     "REFUTED",
     "UNDECIDED",
     "Budget",
+    "Judgement",
     "Counterexample",
     "InvalidStatement",
     "OutOfTime",
@@ -28,6 +31,7 @@ __all__ = [
     "Undefined",
     "Unsupported",
     "Verdict",
+    "check_derivation",
     "counterexample",
     "evaluate",
     "evaluator",

@@ -31,7 +31,7 @@ def prove(lhs, rhs=None, *, given=None, budget=10.0):
     clock, claim = Budget(budget), None
     try:
         claim = statement(lhs, rhs, given)
-        proof = _decided(claim, clock)
+        proof = decided(claim, clock)
     except InvalidStatement as error:
         proof = Proof(INVALID, "", note=str(error))
     except RecursionError:
@@ -41,7 +41,8 @@ def prove(lhs, rhs=None, *, given=None, budget=10.0):
     )
 
 
-def _decided(claim, clock):
+def decided(claim, clock):
+    """The ``Proof`` of a statement, or that it is refuted or undecided; InvalidStatement where neither side has a value."""
     found = counterexample(claim, clock.part(REFUTERS_SHARE))
     if found.counterexample is not None:
         return Proof(REFUTED, "refuter", note=str(found), counterexample=found.counterexample)

@@ -48,8 +48,8 @@ def statement(lhs, rhs=None, given=None):
     found = ranges([left, right], given)
     for side in (left, right):
         evaluator(side, tuple(found))
-        _check_binders(side, found)
-    _check_kinds(left, relation, right)
+        check_binders(side, found)
+    check_kinds(left, relation, right)
     return Statement(left, relation, right, found)
 
 
@@ -63,7 +63,7 @@ def _parts(lhs, rhs):
     return expression(lhs.lhs), RELATIONS[type(lhs)], expression(lhs.rhs)
 
 
-def _check_binders(side, found):
+def check_binders(side, found):
     for node in sp.preorder_traversal(side):
         if isinstance(node, sp.Derivative):
             for symbol, _ in node.variable_count:
@@ -86,7 +86,7 @@ def _check_bound(node, symbol, limits, found, whole):
                 raise InvalidStatement(f"{node} has the limit {limit}, and {name} is real")
 
 
-def _check_kinds(left, relation, right):
+def check_kinds(left, relation, right):
     points = [side.has(sp.Indexed) for side in (left, right)]
     operators = [side.has(E) and not with_points for side, with_points in zip((left, right), points, strict=True)]
     if relation != "=" and any(points + operators):

@@ -45,29 +45,29 @@ class Verdict:
     def _repr_latex_(self):
         how = f" ({self.method})" if self.method else ""
         lines = [] if self.statement is None else [self.statement.latex()]
-        lines.append(rf"\textbf{{{self.status}}}" + _text(how))
+        lines.append(rf"\textbf{{{self.status}}}" + in_words(how))
         if self.counterexample is not None:
-            lines += [_point(self.counterexample), _sides(self.counterexample)]
+            lines += [point_words(self.counterexample), sides_words(self.counterexample)]
         if self.note:
-            lines.append(_text(self.note))
+            lines.append(in_words(self.note))
         return "$$\\begin{gathered}\n" + " \\\\[1ex]\n".join(lines) + "\n\\end{gathered}$$"
 
 
-def _point(found):
+def point_words(found):
     values = [f"{latex(symbol)} = {latex(to_sympy(value))}" for symbol, value in found.values.items()]
-    return r",\quad ".join(values) or _text("as it stands")
+    return r",\quad ".join(values) or in_words("as it stands")
 
 
-def _sides(found):
+def sides_words(found):
     return rf"\text{{left: }} {_value(found.lhs)} \qquad \text{{right: }} {_value(found.rhs)}"
 
 
 def _value(value):
-    return _text(f"undefined ({value})") if isinstance(value, Undefined) else latex(to_sympy(value))
+    return in_words(f"undefined ({value})") if isinstance(value, Undefined) else latex(to_sympy(value))
 
 
 _SPECIAL = {"\\": r"\backslash ", "^": r"\wedge "} | {mark: "\\" + mark for mark in "_{}%$#&"}
 
 
-def _text(words):
-    return rf"\text{{{''.join(_SPECIAL.get(mark, mark) for mark in words)}}}"
+def in_words(text):
+    return rf"\text{{{''.join(_SPECIAL.get(mark, mark) for mark in text)}}}"
