@@ -42,7 +42,7 @@ def prove(lhs, rhs=None, *, given=None, budget=10.0):
 
 
 def decided(claim, clock):
-    """The ``Proof`` of a statement, or that it is refuted or undecided; InvalidStatement where neither side has a value."""
+    """The ``Proof`` of a statement, or that it is refuted or undecided; InvalidStatement where no side has a value."""
     found = counterexample(claim, clock.part(REFUTERS_SHARE))
     if found.counterexample is not None:
         return Proof(REFUTED, "refuter", note=str(found), counterexample=found.counterexample)
