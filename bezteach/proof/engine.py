@@ -10,10 +10,12 @@ from .errors import InvalidStatement, OutOfTime, Unsupported
 from .fixed import by_cases
 from .induction import by_induction
 from .refuter import counterexample
+from .signs import by_signs
 from .statement import statement
 from .verdict import INVALID, REFUTED, UNDECIDED, Proof, Verdict
 
-PROVERS = [by_algebra, by_induction, by_cases]
+PROVERS = [by_algebra, by_induction, by_signs, by_cases]
+PROVERS_SHARE = 0.6  # of the time left, so that one prover that finds nothing leaves some to the next
 REFUTERS_SHARE = 0.4
 
 
@@ -50,7 +52,7 @@ def decided(claim, clock):
         raise InvalidStatement(f"neither side has a value at {found.undefined.point()}: {found.undefined.lhs}")
     for prover in PROVERS:
         try:
-            proof = prover(claim, clock)
+            proof = prover(claim, clock if prover is PROVERS[-1] else clock.part(PROVERS_SHARE))
         except (OutOfTime, Unsupported):
             continue
         if proof is not None:

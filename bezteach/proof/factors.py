@@ -1,0 +1,123 @@
+"""The sign of an expression from the signs of its factors, with a line for every part whose sign decides.
+
+Beside the edges, where the terms have another form, an expression is one product of what its terms share.
+"""
+
+from sympy import Add, Eq, Ge, Gt, Integral, Le, Lt, Mul, Ne, Pow, S, Sum, binomial, cancel, expand, factor, factorial
+
+from bezteach.symbolic import B, Step
+
+from .inequality import difference_of, is_whole
+from .linear import coefficients, least
+from .normal import Edge, normal
+from .polynomial_signs import is_rational
+from .sign_of import of_power, signs, unbound
+from .sign_sets import POSITIVE, ZERO, product, total
+from .terms import Failure, common_part, written
+
+DEEPEST, WIDEST = 6, 6  # edges of edges, cases on one edge
+
+
+def by_factors(claim):
+    difference = difference_of(claim)
+    yield Step(difference, "the larger side minus the smaller one")
+    if not claim.strict and is_whole(difference, claim.region) and signs(difference + 1, claim.region) <= POSITIVE:
+        yield from _reasons(difference + 1, claim.region)
+        yield Step(Ge(difference, 0, evaluate=False), "a whole number that is greater than -1")
+        return
+    yield from signed(difference, claim.region, claim.wanted, DEEPEST, claim.budget)
+
+
+def signed(expr, region, wanted, depth, budget):
+    """The steps to the sign of an expression; beside the edges, as one product of what its terms share."""
+    budget.spend()
+    if least(S.Zero, region.conditions) != 0:
+        return
+    if signs(expr, region) <= wanted:
+        yield from _reasons(expr, region)
+        return
+    try:
+        terms = normal(expr, region.whole, list(region.conditions))
+    except Edge as edge:
+        yield from _beyond(edge.form, expr, region, wanted, depth, budget)
+        yield from signed(expr, region.where(edge.form), wanted, depth - 1, budget)
+        return
+    shared, rests = common_part(terms)
+    rest = factor(cancel(Add(*rests)))
+    found = product(signs(rest, region), *(of_power(*power, region) for power in shared.powers.items()))
+    if not found <= wanted:
+        raise Failure("a factor may have either sign")
+    yield Step(Mul(written(shared), rest), "what the terms share stands in front")
+    for part in (*Mul.make_args(rest), *(Pow(*power) for power in shared.powers.items())):
+        if not part.is_number or found == ZERO:
+            yield from _reasons(part, region)
+
+
+def _beyond(form, expr, region, wanted, depth, budget):
+    """The cases form = -1, -2, ..., each with one integer symbol less."""
+    low, found = least(form, region.conditions), coefficients(form)
+    symbol = max((s for s in region.whole if abs(found.get(s, 0)) == 1), key=str, default=None)
+    if depth == 0 or low < -WIDEST or symbol is None:
+        raise Failure(f"too many cases where {form} is negative")
+    for value in range(1, int(-low) + 1):
+        at = expand(symbol - found[symbol] * (form + value))
+        conditions = tuple(expand(condition.subs(symbol, at)) for condition in region.conditions)
+        inside = region._replace(whole=region.whole - {symbol}, conditions=conditions)
+        if least(S.Zero, conditions) == 0:
+            yield Step(at, "the edge apart, where the terms have another form", symbol)
+            yield from signed(expr.subs(symbol, at), inside, wanted, depth - 1, budget)
+
+
+def one_term(expr, region):
+    terms = normal(expr, region.whole, list(region.conditions))
+    if len(terms) != 1:
+        raise Failure("more than one term")
+    return terms[0]
+
+
+def _reasons(expr, region):
+    """A line for every part whose sign decides."""
+    found = signs(expr, region)
+    if expr.is_Mul or expr.is_Add:
+        parts = [part for part in expr.args if not (expr.is_Mul and part.is_number)]
+        if (product(*_each(expr.args, region)) if expr.is_Mul else total(_each(expr.args, region))) == found:
+            for part in parts:
+                yield from _reasons(part, region)
+            return
+    factored = factor(expr) if is_rational(expr) and expr.is_Add else expr
+    if factored != expr and not factored.is_Add and signs(factored, region) == found:
+        yield Step(Eq(expr, factored, evaluate=False), "factored")
+        yield from _reasons(factored, region)
+        return
+    yield Step(against_zero(expr, found), why(expr, region))
+
+
+def _each(parts, region):
+    return [signs(part, region) for part in parts]
+
+
+def against_zero(expr, found):
+    """The relation to 0 that a set of signs is; the expression itself where there is none."""
+    relations = {(1,): Gt, (0, 1): Ge, (0,): Eq, (-1, 0): Le, (-1,): Lt, (-1, 1): Ne}
+    relation = relations.get(tuple(sorted(found)))
+    return expr if relation is None else relation(expr, 0, evaluate=False)
+
+
+def why(expr, region):
+    if expr.is_number:
+        return "a number"
+    if isinstance(expr, Sum | Integral):
+        body, inside = unbound(expr, region)
+        return f"{'every term' if isinstance(expr, Sum) else 'the integrand'} has this sign: {why(body, inside)}"
+    if isinstance(expr, B):
+        return f"a basis function where {expr.args[2]} lies between 0 and 1"
+    if isinstance(expr, binomial | factorial):
+        return "it counts something"
+    if isinstance(expr, Pow):
+        return f"a power of {expr.base}"
+    reals = [symbol for symbol in sorted(expr.free_symbols, key=str) if symbol in region.reals]
+    if not reals:
+        return "by the ranges of the integers"
+    if len(expr.free_symbols) == 1:
+        return f"a polynomial in {reals[0]}, its roots in the interval counted exactly"
+    return "a polynomial, by the signs of its factors and their Bernstein coefficients"

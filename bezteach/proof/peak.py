@@ -1,0 +1,78 @@
+"""The greatest value of a product of powers, such as B(i, n, t), as a function of one real symbol."""
+
+from sympy import Add, Derivative, Ge, Integer, Le, Mul, Poly, Pow, S, cancel, expand, fraction, together
+
+from bezteach.symbolic import Step
+
+from .factors import one_term
+from .polynomial_signs import is_rational
+from .sign_of import of_power, signs
+from .sign_sets import NOT_NEGATIVE, POSITIVE, product
+from .terms import Failure
+
+
+def by_peak(claim):
+    """A product of powers, as a function of t, against its own value at the root of its logarithmic derivative."""
+    left, right = claim.small.free_symbols, claim.large.free_symbols
+    if claim.strict or not (turning := (left ^ right) & claim.region.reals.keys()):
+        raise Failure("no real symbol on one side alone")
+    t = min(turning, key=str)
+    changing, fixed, sense = (claim.small, claim.large, 1) if t in left else (claim.large, claim.small, -1)
+    interval = claim.region.reals[t]
+    inside = claim.region._replace(reals=claim.region.reals | {t: interval.interior})
+    powers, front = _powers_of(t, changing, inside)
+    rest = expand(Add(*[e * base.diff(t) * Mul(*[p for p in powers if p != base]) for base, e in powers.items()]))
+    slope = rest.coeff(t, 1)
+    if expand(rest - slope * t - rest.coeff(t, 0)) != 0:
+        raise Failure("the logarithmic derivative has more than one root")
+    turn = signs(slope, inside)
+    if turn not in (POSITIVE, frozenset({-1})) or not product(front, turn, frozenset({sense})) <= {-1, 0}:
+        raise Failure("it does not turn from growing to falling")
+    peak = cancel(-rest.coeff(t, 0) / slope)
+    places = [Ge(peak, interval.start, evaluate=False)] if interval.start.is_finite else []
+    places += [Le(peak, interval.end, evaluate=False)] if interval.end.is_finite else []
+    if not all(signs(place.gts - place.lts, claim.region) <= NOT_NEGATIVE for place in places):
+        raise Failure("the root is outside")
+    if not _same(changing.subs(t, peak), fixed):
+        raise Failure("not its value at the root")
+    yield Step(
+        Mul(changing, rest, Pow(Mul(*powers), -1), evaluate=False),
+        "inside the interval: each power p^e contributes e p'/p",
+        Derivative(changing, t),
+    )
+    yield Step(peak, "the only root of the numerator", t)
+    yield from (Step(place, "by the ranges") for place in places)
+    words = ("grows", "falls") if sense == 1 else ("falls", "grows")
+    yield Step(
+        Le(claim.small, claim.large, evaluate=False),
+        f"it {words[0]} before the root and {words[1]} after it, as a polynomial in {t}, so continuous at the ends too",
+    )
+
+
+def _powers_of(t, expr, inside):
+    """{base: exponent} of what holds t in one term, each base > 0 inside, and the signs of the rest."""
+    term = one_term(expr, inside)
+    numerator, denominator = fraction(together(term.coefficient))
+    if denominator.has(t):
+        raise Failure(f"{t} divides")
+    content, factors = Poly(numerator, *sorted(numerator.free_symbols | {t}, key=str), domain="QQ").factor_list()
+    powers = [(part.as_expr(), Integer(power)) for part, power in factors] + list(term.powers.items())
+    front, found = product(signs(content, inside), signs(denominator, inside)), {}
+    for base, exponent in powers:
+        if not base.has(t):
+            front = product(front, of_power(base, exponent, inside))
+            continue
+        if signs(base, inside) == {-1}:
+            base, front = expand(-base), product(front, of_power(S.NegativeOne, exponent, inside))
+        if signs(base, inside) != POSITIVE or not signs(exponent, inside) <= NOT_NEGATIVE:
+            raise Failure(f"{base} may have either sign")
+        found[base] = found.get(base, 0) + exponent
+    return found, front
+
+
+def _same(one, other):
+    """Whether two expressions agree part by part, as rational functions."""
+    if one == other or (is_rational(one - other) and cancel(one - other) == 0):
+        return True
+    alike = one.func == other.func and len(one.args) == len(other.args) > 0
+    return alike and all(_same(*pair) for pair in zip(one.args, other.args, strict=True))
