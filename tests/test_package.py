@@ -42,6 +42,7 @@ def test_the_short_names_are_those_of_the_numeric_mirror():
 ARROWS = {
     "numeric": set(),
     "symbolic": set(),
+    "parsing": {"symbolic"},
     "proof": {"symbolic"},
     "examples": set(),
     "display": {"symbolic"},

@@ -9,9 +9,9 @@ from bezteach.numeric.evaluation import evaluate
 
 
 def polygon_gap(points):
-    """The largest distance between a control point b_i and the curve's point p(i/n); float64, (N,) for a batch.
+    """The largest distance of a control point b_i from the curve's point p(i/n); float64, (N,) for a batch.
 
-    p(i/n) is where b_i has its strongest influence, so this is how far the polygon is from the curve, point by point. It
+    p(i/n) is where b_i has its strongest influence, so this is how far polygon and curve are apart, point by point. It
     is 0 for degrees 0 and 1, and falls by 4 with each halving. ``ValueError`` for bad points and for symbols.
     Source: deck, 1.2, property 9, and 2.3, limit theorem.
 

@@ -155,7 +155,8 @@ def test_what_is_refuted_differs_and_what_is_proved_agrees_when_it_is_written_ou
 
 def test_it_is_undecided_when_nothing_applies():
     """True, but the bounds of the two functions are not independent of one another."""
-    verdict = prove(Le(B(0, n, t) + B(1, n, t), 1, evaluate=False), given={n: (1, oo), t: Interval(0, 1)}, budget=3)
+    claim = Le(B(0, n, t) * B(1, n, t), Rational(1, 4), evaluate=False)
+    verdict = prove(claim, given={n: (1, oo), t: Interval(0, 1)}, budget=3)
     assert (verdict.status, verdict.method, verdict.steps) == (UNDECIDED, "", ())
     assert re.fullmatch(r"no counterexample: \d+ points checked", verdict.note)
 
