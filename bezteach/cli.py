@@ -63,7 +63,7 @@ def run_test(arguments):
     if root is None:
         raise Problem("the tests come with a checkout of the project, and this is an installed package: clone it")
     virtualenv.ready("test", arguments.all)
-    command = [sys.executable, "-m", "pytest", *arguments.rest]
+    command = [sys.executable, "-m", "bezteach.setup.testing", *arguments.rest]
     return processes.become(command, processes.child_environment(root), cwd=root)
 
 
@@ -122,9 +122,7 @@ def main(argv=None):
         return 0
     try:
         with _orderly_end():
-            if os.name == "posix":
-                # They were made to wait if this is the interpreter of a .venv just made: see virtualenv.ready().
-                signal.pthread_sigmask(signal.SIG_UNBLOCK, processes.ENDINGS)
+            processes.let_through()
             return COMMANDS[arguments.command].run(arguments)
     except (Problem, OSError) as problem:
         # An OSError that nobody foresaw is still about the user's machine, and its text says what and where.

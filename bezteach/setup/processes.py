@@ -67,10 +67,11 @@ def end(process, patience=10.0):
 
 
 def become(command, environment, cwd=None, windows=WINDOWS):
-    """Go on as another command, in our terminal; does not return.
+    """Go on as another command of ours, in our terminal; does not return.
 
-    On POSIX this process becomes the other, so signals and the exit code are its own. Windows has no such thing: the
-    other runs as a child, and its exit code is passed through.
+    On POSIX this process becomes the other, so signals and the exit code are its own. A Ctrl-C while the other
+    interpreter starts would end in a traceback of Python's own, so it waits there for ``let_through``. Windows has no
+    such thing: the other runs as a child, and its exit code is passed through.
     """
     command = [str(part) for part in command]
     sys.stdout.flush()
@@ -78,7 +79,17 @@ def become(command, environment, cwd=None, windows=WINDOWS):
         sys.exit(_attend(command, environment, cwd))
     if cwd is not None:
         os.chdir(cwd)
-    os.execve(command[0], command, environment)
+    signal.pthread_sigmask(signal.SIG_BLOCK, ENDINGS)
+    try:
+        os.execve(command[0], command, environment)
+    finally:
+        let_through()
+
+
+def let_through():
+    """Let Ctrl-C and the like come that ``become`` made wait; here they can be dealt with."""
+    if not WINDOWS:
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, ENDINGS)
 
 
 def _attend(command, environment, cwd):

@@ -7,14 +7,13 @@ a checkout gets its ``.venv`` made or completed, and the command starts again in
 import json
 import os
 import shutil
-import signal
 import subprocess
 import sys
 import time
 
 from bezteach.__main__ import NEEDED
 from bezteach.setup.locking import alone
-from bezteach.setup.processes import ENDINGS, WINDOWS, become, child_environment, held_back
+from bezteach.setup.processes import WINDOWS, become, child_environment, held_back
 from bezteach.setup.progress import AGAIN, Problem, reason, run, say, teller
 from bezteach.setup.requirements import checkout, lacking
 
@@ -39,9 +38,6 @@ def ready(extra, arguments):
         raise Problem(f'something is missing here: run pip install "bezteach[{extra}]", {AGAIN}')
     with alone(root):
         python = set_up(root, extra)
-    if not WINDOWS:
-        # A Ctrl-C while the other interpreter starts would end in a traceback of Python's own; it waits for main().
-        signal.pthread_sigmask(signal.SIG_BLOCK, ENDINGS)
     become([python, "-m", "bezteach", *arguments], child_environment(root))
 
 
