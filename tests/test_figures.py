@@ -13,7 +13,9 @@ from bezteach.examples import EXAMPLES
 CUBIC = EXAMPLES["deck/split"].given["points"]
 ARCH = EXAMPLES["deck/segment"].given["points"]
 ALL = {
-    "curve": lambda: figures.curve(CUBIC),
+    "basis": lambda: figures.basis(3),
+    "stacked": lambda: figures.stacked(3),
+    "graphs": lambda: figures.graphs({"$B_{1,3}$": [0, 1, 0, 0], "$B_{1,3}'$": [3, 0, -3]}),
     "triangle": lambda: figures.triangle(CUBIC, F(1, 3)),
     "split": lambda: figures.split(CUBIC, F(1, 3)),
     "segment": lambda: figures.segment(ARCH, F(1, 4), F(3, 4)),
@@ -54,6 +56,33 @@ def test_segment_draws_the_part():
 
 def test_halving_draws_twice_as_many_polygons_a_panel():
     assert [sum(len(line) == 4 for line in drawn(axes)) for axes in ALL["halving"]().axes] == [1, 2, 4, 8]
+
+
+def test_basis_draws_each_function_with_its_name_at_its_peak():
+    (axes,) = ALL["basis"]().axes
+    graphs = [line for line in drawn(axes) if len(line) > 1]
+    middle = [graph[len(graph) // 2] for graph in graphs]
+    assert np.allclose(middle, [(0.5, value / 8) for value in (1, 3, 3, 1)])
+    assert holds(axes, [(1 / 3, 4 / 9)]) and holds(axes, [(2 / 3, 4 / 9)])
+    assert [text.get_text() for text in axes.texts] == [f"$B_{{{i},3}}$" for i in range(4)]
+    assert (
+        len({(line.get_color(), str(line.get_linestyle())) for line in axes.get_lines() if len(line.get_xdata()) > 1})
+        == 4
+    )
+
+
+def test_stacked_functions_fill_the_height_1():
+    (axes,) = ALL["stacked"]().axes
+    tops = [layer.get_paths()[0].get_extents() for layer in axes.collections]
+    assert [round(box.y1, 9) for box in tops] == [1, 1, 1, 1]
+    assert round(tops[0].y0, 9) == 0 and [text.get_text() for text in axes.texts][3] == "$B_{3,3}$"
+
+
+def test_graphs_are_those_of_the_coefficients():
+    (axes,) = ALL["graphs"]().axes
+    function, slope = (line for line in drawn(axes) if len(line) > 2)
+    assert np.allclose(slope[[0, -1]], [(0, 3), (1, -3)])
+    assert np.allclose(function[len(function) // 2], (0.5, 3 / 8))
 
 
 def test_decay_draws_the_values_beside_the_guide():
@@ -100,8 +129,8 @@ def shown(monkeypatch, figure):
 
 
 def test_shown_as_png_and_svg_with_alternative_text(monkeypatch):
-    bundle, options = shown(monkeypatch, ALL["curve"]())
-    words = "A Bézier curve of degree 3 from (0, 0) to (3, 3), with its control polygon."
+    bundle, options = shown(monkeypatch, ALL["stacked"]())
+    words = "The 4 Bernstein functions of degree 3 stacked: at every t they fill exactly the height 1."
     assert bundle["text/plain"] == words
     assert options == {"raw": True, "metadata": {"image/png": {"alt": words}}}
     assert bundle["image/png"].startswith(b"\x89PNG")

@@ -125,13 +125,19 @@ def test_an_answer_partly_right_is_told_where_to_look():
 
 def test_right_answers_by_hand():
     """Worked on paper: the left half at 1/4, the right half at 1/3, the part [1/3, 2/3]."""
-    right = {name.removeprefix("splitting/exercise-"): typed(question.right()) for name, question in ENTRIES.items()}
+    right = {name: typed(question.right()) for name, question in ENTRIES.items()}
     assert right == {
-        "cut-point": "(3/2, 15/8)",
-        "left-half": "(0, 0) (1/4, 3/4) (1/2, 19/16) (3/4, 93/64)",
-        "right-half": "(4/9, 10/9) (2/3, 4/3) (0, 2)",
-        "local-parameter": "1/2",
-        "part": "(-3, 4) (-1, 14/3) (1, 14/3) (3, 4)",
+        "basis/exercise-values": "(8/27, 4/9, 2/9, 1/27)",
+        "basis/exercise-peak": "27/64",
+        "basis/exercise-recursion": "405/1024",
+        "basis/exercise-integral": "1/8",
+        "basis/exercise-coefficients": "(0, 0, 1/3, 1)",
+        "basis/exercise-part": "(0, 0, 1/4)",
+        "splitting/exercise-cut-point": "(3/2, 15/8)",
+        "splitting/exercise-left-half": "(0, 0) (1/4, 3/4) (1/2, 19/16) (3/4, 93/64)",
+        "splitting/exercise-right-half": "(4/9, 10/9) (2/3, 4/3) (0, 2)",
+        "splitting/exercise-local-parameter": "1/2",
+        "splitting/exercise-part": "(-3, 4) (-1, 14/3) (1, 14/3) (3, 4)",
     }
 
 

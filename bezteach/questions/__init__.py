@@ -4,7 +4,10 @@ Pure data and functions; ``widgets.ask`` puts a question on the screen. The righ
 and feedback names the mistake without telling the answer.
 """
 
+from . import basis, splitting
 from .asking import Choice, Entry, Goal, judge, read
-from .splitting import GOALS, QUESTIONS
+
+QUESTIONS = basis.QUESTIONS | splitting.QUESTIONS
+GOALS = splitting.GOALS
 
 __all__ = ["GOALS", "QUESTIONS", "Choice", "Entry", "Goal", "judge", "read"]

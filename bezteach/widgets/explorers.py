@@ -10,8 +10,9 @@ from ..palette import FIRST, QUIET, SECOND
 from . import picture
 from .panel import Panel
 
-_SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 STEPS = 24  # sliders stop at multiples of 1/24, so at halves, thirds, quarters, sixths and eighths
+STOPS = [Fraction(k, STEPS) for k in range(STEPS + 1)]
 
 
 def explore_split(points, t=Fraction(1, 3)):
@@ -48,7 +49,7 @@ def split_view(points, t):
         picture.polygon(right, SECOND, marker="s"),
     ]
     html = (
-        _table("The triangle", _rows_of_triangle(levels))
+        table("The triangle", _rows_of_triangle(levels))
         + _list("Left half (solid, circles)", left)
         + _list("Right half (dashed, squares)", right)
     )
@@ -73,8 +74,11 @@ def segment_view(points, a, b, goal=None):
 
 
 def explorer(settings, view):
-    """A panel with a slider for each setting, {name: (value, label)}, over a view: a function of the settings."""
-    controls = {name: _slider(value, label) for name, (value, label) in settings.items()}
+    """A panel with a slider for each setting over a view, a function of the settings.
+
+    A setting is {name: (value, label)}, with the slider's stops as a third if they are not the multiples of 1/24.
+    """
+    controls = {name: _slider(*setting) for name, setting in settings.items()}
     image, readout = widgets.HTML(), widgets.HTML()
 
     def current():
@@ -97,13 +101,13 @@ def explorer(settings, view):
     return panel
 
 
-def _slider(value, label):
-    stops = [Fraction(k, STEPS) for k in range(STEPS + 1)]
+def _slider(value, label, stops=STOPS):
     if value not in stops:
-        raise ValueError(f"{label.split(',')[0]} = {value}: the slider stops at multiples of 1/{STEPS} from 0 to 1")
+        which = f"from 0 to {stops[-1]}" if stops is not STOPS else f"at multiples of 1/{STEPS} from 0 to 1"
+        raise ValueError(f"{label.split(',')[0]} = {value}: the slider stops {which}")
     return widgets.SelectionSlider(
         options=[(number(stop), stop) for stop in stops],
-        value=Fraction(value),
+        value=stops[stops.index(value)],
         description=label,
         style={"description_width": "initial"},
         layout=widgets.Layout(width="26em"),
@@ -124,7 +128,7 @@ def _rows_of_triangle(levels):
     return [[point(levels[k][row - k]) for k in range(row + 1)] for row in range(len(levels))]
 
 
-def _table(title, rows):
+def table(title, rows):
     cells = "".join(f"<tr>{''.join(f'<td style=padding-right:1em>{cell}</td>' for cell in row)}</tr>" for row in rows)
     return f"<b>{title}</b><table>{cells}</table>"
 
@@ -138,4 +142,4 @@ def _listed(points):
 
 
 def _names(letter, points):
-    return [letter + str(i).translate(_SUBSCRIPTS) for i in range(len(points))]
+    return [letter + str(i).translate(SUBSCRIPTS) for i in range(len(points))]

@@ -31,15 +31,25 @@ def picture(view, layers, alt):
 
 
 def polygon(points, colour, *, dash="", width=1.6, marker="o", names=()):
-    """A control polygon with round or square markers and, where given, names beside its points."""
+    """A control polygon with round, square or no markers and, where given, names beside its points."""
 
     def layer(place):
         dots = place(points)
-        marks = "".join(_mark(x, y, colour, marker) for x, y in dots)
+        marks = "".join(_mark(x, y, colour, marker) for x, y in dots) if marker else ""
         words = "".join(_word(*at, name) for at, name in zip(_beside(dots), names, strict=False))
         return _line(dots, colour, dash, width) + marks + words
 
     return layer
+
+
+def dots(points, colour):
+    """Single points."""
+    return lambda place: "".join(_mark(x, y, colour, "o") for x, y in place(points))
+
+
+def words(points, names, down):
+    """Words centred on points, moved down by pixels (up if negative), readable on top of lines."""
+    return lambda place: "".join(_word(x, y + down, name) for (x, y), name in zip(place(points), names, strict=True))
 
 
 def curve(points, colour, *, dash="", width=4):
@@ -69,4 +79,5 @@ def _beside(dots):
 
 
 def _word(x, y, text):
-    return f'<text x="{x:.1f}" y="{y + 6:.1f}" text-anchor="middle" fill="{INK}">{escape(text)}</text>'
+    halo = 'stroke="white" stroke-width="4" paint-order="stroke"'
+    return f'<text x="{x:.1f}" y="{y + 6:.1f}" text-anchor="middle" fill="{INK}" {halo}>{escape(text)}</text>'

@@ -9,6 +9,7 @@ import pytest
 from bezteach import questions, symbolic, widgets
 from bezteach.examples import EXAMPLES
 from bezteach.symbolic import j, n, t
+from bezteach.widgets.basis_explorer import basis_view
 from bezteach.widgets.explorers import segment_view, split_view
 
 CUBIC = EXAMPLES["deck/split"].given["points"]
@@ -47,6 +48,61 @@ def test_the_goal_is_recognised_when_it_is_reached():
     assert goal.text in explorer.text
     explorer.controls["a"].value, explorer.controls["b"].value = F(1, 3), F(2, 3)
     assert goal.praise in explorer.text and goal.text not in explorer.text
+
+
+def test_basis_explorer_shows_exact_values_and_their_sum():
+    explorer = widgets.explore_basis()
+    assert repr(explorer) == "n = 3, t = 1/3: B₀ = 8/27, B₁ = 4/9, B₂ = 2/9, B₃ = 1/27; sum 1"
+    explorer.controls["n"].value, explorer.controls["t"].value = 2, F(1, 2)
+    assert repr(explorer) == "n = 2, t = 1/2: B₀ = 1/4, B₁ = 1/2, B₂ = 1/4; sum 1"
+    assert "<td style=padding-right:1em>1/2</td>" in explorer.children[1].children[1].value
+
+
+def test_basis_explorer_marks_the_values_on_the_graphs():
+    view = basis_view(2, F(1, 2))
+    (x0, y0), (x1, y1), (_, y2) = dots(view["svg"])
+    (_, bottom), (_, top) = dots(basis_view(1, F(1))["svg"])
+    assert x0 == x1 and y0 == y2
+    assert [(bottom - y) / (bottom - top) for y in (y0, y1)] == pytest.approx([1 / 4, 1 / 2], abs=1e-3)
+    assert ElementTree.fromstring(view["svg"]).attrib["aria-label"] == view["text"]
+
+
+@pytest.mark.parametrize("n", range(7))
+def test_every_degree_is_drawn_also_at_the_ends(n):
+    for where in (F(0), F(1, 3), F(1)):
+        view = basis_view(n, where)
+        assert len(dots(view["svg"])) == n + 1 and "nan" not in view["svg"] and view["text"].endswith("sum 1")
+
+
+def test_a_degree_that_the_slider_does_not_have_is_refused():
+    with pytest.raises(ValueError, match="n = 7: the slider stops from 0 to 6"):
+        widgets.explore_basis(7)
+
+
+def test_the_bench_proves_what_is_typed():
+    bench = widgets.bench("sum(B(i,n,t), i, 0, n) = 1")
+    assert bench.said.value == ""
+    bench.judge.click()
+    assert "PROVED" in bench.said.value and "the difference of both sides" in bench.said.value
+    bench.statement.value = "sum(B(i,n,t), i, 1, n) = 1"
+    bench.judge.click()
+    assert "REFUTED" in bench.said.value and "n = 0" in bench.said.value
+
+
+def test_the_bench_judges_a_derivation_line_by_line():
+    bench = widgets.bench("u B(i,n,u)\n= (i+1)/n * B(i+1,n+1,u)", "n >= 1, 0 <= i <= n")
+    bench.judge.click()
+    assert "line 2 is the first wrong one" in bench.said.value
+
+
+@pytest.mark.parametrize(
+    ("typed", "said"), [("t(", "character"), ("<b>t</b>", "&lt;"), ("", "nothing is written"), ("t", "no statement")]
+)
+def test_the_bench_says_what_it_cannot_read(typed, said):
+    bench = widgets.bench(typed)
+    bench.judge.click()
+    assert "cannot be read" in bench.said.value and said in bench.said.value and "<b>t" not in bench.said.value
+    assert not bench.judge.disabled
 
 
 @pytest.mark.parametrize("where", [F(0), F(1, 24), F(1)])

@@ -1,0 +1,162 @@
+"""The questions of the lesson on the Bernstein basis."""
+
+from fractions import Fraction as F
+
+from ..numeric import bernstein, from_power, segment
+from .asking import Choice, Entry
+
+
+def _at_a_third():
+    return [
+        (bernstein(3, F(2, 3)), "These belong to t = 2/3: the power of t grows with the index, that of 1 - t falls."),
+        (
+            [F(8, 27), F(4, 27), F(2, 27), F(1, 27)],
+            "The binomial coefficients 1, 3, 3, 1 are missing. Do your four numbers sum to 1?",
+        ),
+    ]
+
+
+QUESTIONS = {
+    "basis/before-binomial": Choice(
+        "How many ways are there to choose 2 of 4 points?",
+        {
+            "4": "There are 4 points, but more pairs.",
+            "6": "Yes: C(4, 2) = 4·3/2.",
+            "8": "Write the pairs down: 12, 13, 14, 23, ...",
+            "12": "That counts each pair twice, once in either order.",
+        },
+        "6",
+    ),
+    "basis/before-power": Choice(
+        "((1 - t) + t) to the power n, multiplied out: what is the value for t = 1/4 and n = 5?",
+        {
+            "1": "Yes: before it is multiplied out it is 1 to the power 5.",
+            "(1/4)⁵": "That is the last of its six terms alone.",
+            "it depends on n": "Look inside the brackets first.",
+        },
+        "1",
+    ),
+    "basis/inner-reach": Choice(
+        "Move t over the cubic functions. Does B₁ reach the value 1 somewhere?",
+        {
+            "yes, at t = 1/3": "At t = 1/3 it is greatest. Read its exact value there.",
+            "no, only B₀ and B₃ reach 1": "Yes: if one of them were 1 the others would all be 0, and inside (0, 1) none is 0.",
+            "yes, for a larger degree": "With the degree the humps get lower, not higher.",
+        },
+        "no, only B₀ and B₃ reach 1",
+    ),
+    "basis/sum-outside": Choice(
+        "What is the sum of all B_{i,3}(t) at t = 2?",
+        {
+            "1": "Yes: the sum is 1 for every t. What ends outside [0, 1] is that none is negative.",
+            "less than 1": "Multiply ((1 - t) + t) out at t = 2: nothing in it asks where t lies.",
+            "not defined": "They are polynomials: t may be any number.",
+        },
+        "1",
+    ),
+    "basis/mirror": Choice(
+        "Which function is the mirror image of B_{1,4}, with 0 and 1 exchanged?",
+        {
+            "B_{1,4} itself": "Its peak is at 1/4; where is the mirror image's?",
+            "B_{3,4}": "Yes: exchanging t and 1 - t exchanges the exponents 1 and 3.",
+            "B_{4,1}": "The degree stays 4.",
+        },
+        "B_{3,4}",
+    ),
+    "basis/peak": Choice(
+        "Where is B_{2,5} greatest on [0, 1]?",
+        {
+            "at 1/2": "Only a function in the middle peaks there, and degree 5 has none.",
+            "at 2/5": "Yes: at i/n.",
+            "at 2/6": "There are 6 functions, but the peaks 0, 1/5, ..., 1 are 1/5 apart.",
+            "at 3/5": "That is the peak of its mirror image.",
+        },
+        "at 2/5",
+    ),
+    "basis/derivative-degree": Choice(
+        "The derivative of B_{1,3} is a combination of two Bernstein functions. Of which degree, and with which factor in front?",
+        {
+            "degree 2, factor 3": "Yes: n times a difference of two functions of degree n - 1.",
+            "degree 2, factor 1": "At t = 0 the function leaves with slope 3.",
+            "degree 3, factor 3": "A derivative has a degree less.",
+        },
+        "degree 2, factor 3",
+    ),
+    "basis/area": Choice(
+        "Which of the cubic functions has the largest area under it, over [0, 1]?",
+        {
+            "B₀ and B₃, they reach 1": "They are high, but thin soon. The areas can be computed.",
+            "B₁ and B₂, they are broad": "They are broad, but low. The areas can be computed.",
+            "none, all areas are equal": "Yes: each is 1/4, since the four of them share the area 1 equally.",
+        },
+        "none, all areas are equal",
+    ),
+    "basis/sum-from-one": Choice(
+        "A slide prints the sum of the basis functions from i = 1 to n and says that it is 1. For which t is that true?",
+        {
+            "for every t": "Which function is left out, and where is it not 0?",
+            "for no t": "The function left out is (1 - t) to the power n. Is it 0 somewhere?",
+            "only at t = 1": "Yes: what is missing is (1 - t) to the power n.",
+        },
+        "only at t = 1",
+    ),
+    "basis/exercise-values": Entry(
+        "Exercise 1. The values B_{0,3}, B_{1,3}, B_{2,3}, B_{3,3} at t = 1/3:",
+        lambda: bernstein(3, F(1, 3)),
+        _at_a_third,
+        "(1/2, 1/4, 1/8, 1/8)",
+    ),
+    "basis/exercise-peak": Entry(
+        "Exercise 2. The greatest value of B_{1,4} on [0, 1]:",
+        lambda: bernstein(4, F(1, 4))[1],
+        lambda: [
+            (F(1, 4), "That is where it is greatest. How great is it there?"),
+            (F(27, 256), "The binomial coefficient is missing."),
+            (1, "Only the first and the last function reach 1."),
+        ],
+        "1/2",
+    ),
+    "basis/exercise-recursion": Entry(
+        "Exercise 3. At some t = 1/4 you know B_{1,4} = 27/64 and B_{0,4} = 81/256. Find B_{1,5} there by the recursion:",
+        lambda: bernstein(5, F(1, 4))[1],
+        lambda: [
+            (
+                F(1, 4) * F(27, 64) + F(3, 4) * F(81, 256),
+                "The weights are exchanged: the function with the same index takes 1 - t.",
+            ),
+            (F(27, 64) + F(81, 256), "Both parts need their weights, 1 - t and t."),
+        ],
+        "1/2",
+    ),
+    "basis/exercise-integral": Entry(
+        "Exercise 4. The integral of B_{2,7} over [0, 1]:",
+        lambda: F(1, 8),
+        lambda: [
+            (F(1, 7), "There are n + 1 functions to share the area 1."),
+            (F(2, 7), "That is where it is greatest."),
+        ],
+        "1/2",
+    ),
+    "basis/exercise-coefficients": Entry(
+        "Exercise 5. Write t² as a combination of B_{0,3}, B_{1,3}, B_{2,3}, B_{3,3}; its four coefficients:",
+        lambda: from_power([0, 0, 1, 0]),
+        lambda: [
+            ((0, 0, 1, 0), "These are its coefficients in the power basis. At t = 1 they would give 0."),
+            (
+                (0, F(1, 9), F(4, 9), 1),
+                "These are its values at 0, 1/3, 2/3, 1. Coefficients are no values, except at the ends.",
+            ),
+            ((0, 0, F(2, 3), 1), "C(2, 2) over C(3, 2) is the coefficient of B₂: which fraction is that?"),
+        ],
+        "(1, 0, 1/2, 1)",
+    ),
+    "basis/exercise-part": Entry(
+        "Exercise 6. B_{2,2}(t) = t², for t only up to 1/2, is written in u = 2t. Its coefficients before B_{0,2}(u), B_{1,2}(u), B_{2,2}(u):",
+        lambda: segment([0, 0, 1], 0, F(1, 2)),
+        lambda: [
+            ((0, 0, 1), "At u = 1, that is t = 1/2, the function is not 1."),
+            ((0, 0, F(1, 2)), "At u = 1 it is t² with t = 1/2."),
+        ],
+        "(0, 1, 1/2)",
+    ),
+}

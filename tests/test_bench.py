@@ -1,0 +1,56 @@
+"""What anyone states as text is judged; what cannot be read is said, with its line and character."""
+
+import pytest
+
+from bezteach.bench import judge
+from bezteach.parsing import InvalidAnswer
+
+
+@pytest.mark.parametrize(
+    ("text", "given", "status"),
+    [
+        ("sum(B(i,n,t), i, 0, n) = 1", "n >= 1", "PROVED"),
+        ("sum(B(i,n,t), i, 1, n) = 1", "n >= 1", "REFUTED"),
+        ("B(i,n,t) >= 0", "0 <= i <= n, 0 <= t <= 1", "PROVED"),
+        ("B(i,n,t) >= 0", "0 <= i <= n", "REFUTED"),
+        ("t = t/0*0", "", None),
+        ("1/n = 1/n", "", "INVALID"),
+    ],
+)
+def test_a_statement(text, given, status):
+    if status is None:
+        with pytest.raises(InvalidAnswer):
+            judge(text, given)
+    else:
+        assert judge(text, given).status == status
+
+
+def test_a_derivation_names_its_first_wrong_line():
+    """The deck's proof of the recursion: its third line has the exponents wrong."""
+    judgement = judge(
+        """B(i,n,u)
+        = (C(n-1,i) + C(n-1,i-1)) u^i (1-u)^(n-i)
+        = C(n-1,i) u^i (1-u)^(n-i) + C(n-1,i-1) u^(i-1) (1-u)^(n-i+1)
+        = (1-u) B(i,n-1,u) + u B(i-1,n-1,u)""",
+        "n >= 1, 1 <= i <= n",
+    )
+    assert (judgement.status, judgement.first_wrong) == ("REFUTED", 3)
+    assert judgement.last_equals_first
+
+
+@pytest.mark.parametrize(
+    ("text", "given", "said"),
+    [
+        ("", "", "nothing is written here"),
+        ("t", "", "this is no statement"),
+        ("t\n= 2 t)", "", r"line 2, character \d+"),
+        ("t\n= t = 1", "", "line 2"),
+        ("t\nt = t", "", "line 2 is no formula"),
+        ("t, t", "", "this is no statement"),
+        ("t = t", "q >", "character"),
+    ],
+)
+def test_what_cannot_be_read(text, given, said):
+    with pytest.raises(InvalidAnswer, match=said) as caught:
+        judge(text, given)
+    assert "\n" not in str(caught.value)
