@@ -35,6 +35,11 @@ def control_points(points, name="control point b"):
     return values, False
 
 
+def plain(values, ndim):
+    """Whether it is a float64 array with so many axes, which needs no reading."""
+    return type(values) is np.ndarray and values.dtype is FLOAT and values.ndim == ndim and values.size > 0
+
+
 def finish(values, flat=False):
     """A result as it is handed out: finite, and without the coordinate axis if the points had none."""
     if values.dtype is FLOAT and not is_finite(values):
@@ -72,7 +77,7 @@ def whole(value, name, least, most=MOST):
 
 def one_arithmetic(*values):
     """The arrays as they are if all are float64 or all exact, else all float64."""
-    if all(v.dtype is FLOAT for v in values) or not any(v.dtype is FLOAT for v in values):
+    if len({v.dtype is FLOAT for v in values}) == 1:
         return values
     return tuple(v if v.dtype is FLOAT else _floats(v.ravel().tolist()).reshape(v.shape) for v in values)
 
@@ -80,8 +85,8 @@ def one_arithmetic(*values):
 def is_finite(values):
     """Whether all of a float64 array is finite; a finite sum of squares says so in one quick pass."""
     flat = values.ravel("K")  # no copy, also of a transposed array
-    quick = hypot(*flat.tolist()) if flat.size <= 32 else np.vdot(flat, flat)
-    return bool(quick < inf or np.isfinite(flat).all())
+    quick = hypot(*flat.tolist()) if flat.size <= 32 else np.vdot(flat, flat)  # unlike `dot` it warns of nothing
+    return quick < inf or bool(np.isfinite(flat).all())
 
 
 def read(values, name):

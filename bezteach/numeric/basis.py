@@ -59,14 +59,13 @@ def exponents(n):
     return frozen(up), frozen(up[::-1].copy())
 
 
-def fill_products(t, u, rows):
-    """Fill the rows with t^i u^(n-i) by products, degree after degree: the least work."""
-    rows[0] = 1
-    if len(rows) > 1:
-        rows[0], rows[1] = u, t
+def fill_products(pair, rows):
+    """Fill the rows with t^i u^(n-i), where pair is (u, t), degree after degree; two rows are taken to be the pair."""
+    u, t = last = pair
     for k in range(2, len(rows)):
-        np.multiply(rows[k - 1], t, out=rows[k])
-        rows[:k] *= u
+        np.multiply(last[k - 1], t, out=rows[k])
+        np.multiply(last[:k], u, out=rows[:k])
+        last = rows
 
 
 def recursion(n, t):

@@ -1,12 +1,8 @@
-"""Points of a curve at many parameters: by the basis, by a cached basis, and with almost no error.
-
-In float64 there are faster ways than the definition. There the coordinates lie in rows, (d, n+1) or "planar", because
-a product of few rows with many columns is the quick one, and results are its transposed view.
-"""
+"""Points of a curve at many parameters: by the basis, by a cached basis, and with almost no error."""
 
 from fractions import Fraction
 from functools import lru_cache
-from math import isqrt
+from math import hypot, inf
 
 import numpy as np
 
@@ -17,31 +13,19 @@ from bezteach.numeric.arrays import (
     finish,
     is_finite,
     one_arithmetic,
+    plain,
     quiet,
     read,
     shown,
     whole,
 )
-from bezteach.numeric.basis import (
-    HIGHEST,
-    SINGLE,
-    basis,
-    binomials,
-    elevation,
-    fill_products,
-    frozen,
-    product,
-    products,
-    segment_rows,
-)
+from bezteach.numeric.basis import HIGHEST, basis, frozen, product, segment_rows
+from bezteach.numeric.planar import basis_values, planar_values, tame
 
-BLOCK = 16384  # parameters at a time, so that the scratch arrays stay in the processor's cache
-FEW = 512  # numbers in the basis below which the count of calls decides
 CACHED = 2**17  # numbers in a cached basis: at most 1 MB each
 PIECE = 4096  # steps in one of the pieces of a large sample
 
 
-@quiet
 def evaluate(points, t):
     """Points p(t) = sum of B_{i,n}(t) b_i of the curve: shape t.shape + (d,), for a batch (N,) + t.shape + (d,).
 
@@ -55,68 +39,23 @@ def evaluate(points, t):
     1.5 n u max|b| (or 4u max|b| if that is more), u = 2^-53. Raises ValueError for points or t that are no finite real
     numbers, and where p(t) is too large for float64. Source: deck, section 1.1, Bernstein form.
     """
+    # the checks one by one cost as much as a thousand points; most often one bound shows that all is well
+    if plain(points, 2) and plain(t, 1) and len(points) <= HIGHEST + 1 and tame(points.T, t):
+        return basis_values(points.T, t).T
     points, flat = control_points(points)
     points, t = one_arithmetic(points, read(t, "parameter t"))
     return drop(values_at(points, t), flat)
 
 
+@quiet
 def values_at(points, t):
     """evaluate(points, t) without the checks, in the arithmetic of both."""
     *lead, count, d = points.shape
     if points.dtype is not FLOAT:
         values = basis(count - 1, t.ravel()) @ points
     else:
-        planar = points.mT.reshape(-1, count)
-        values = planar_values(planar, t.ravel())
-        if not is_finite(values):  # too large in between: the averages need no more than the points
-            values = finish(averages(planar, t.ravel()))
-        values = values.reshape(*lead, d, t.size).mT
+        values = planar_values(points.mT.reshape(-1, count), t.ravel()).reshape(*lead, d, t.size).mT
     return values if t.ndim == 1 else values.reshape(*lead, *t.shape, d)
-
-
-def planar_values(planar, t):
-    """Values (rows, m) of the polynomials with these rows of Bernstein coefficients.
-
-    For many parameters t^i (1-t)^(n-i) is split into one of q small factors and one of p giant ones, where p q = n+1:
-    q + p products make all n+1. There is no division and no branch, and the ends are exact.
-    """
-    rows, count = planar.shape
-    if count - 1 > HIGHEST:
-        return averages(planar, t)
-    if t.size * count <= FEW:
-        return (planar * binomials(count - 1)).dot(products(count - 1, t))
-    q = count if count <= 4 or rows > 8 else isqrt(count - 1) + 1
-    p = -(-count // q)
-    raised = planar.dot(elevation(count - 1, p * q - count).T) if p * q > count else planar
-    coefficients = (raised * binomials(p * q - 1)).reshape(rows * p, q)
-    values, block = np.empty((rows, t.size)), max(1024, min(BLOCK, t.size, SINGLE // coefficients.size))
-    scratch = np.empty((1 + q + p + (p > 1) * rows * p, block))
-    for start in range(0, t.size, block):
-        here, into = t[start : start + block], values[:, start : start + block]
-        u, small = scratch[0, : here.size], scratch[1 : 1 + q, : here.size]
-        fill_products(here, np.subtract(1, here, out=u), small)
-        if p == 1:
-            np.matmul(coefficients, small, out=into)
-        else:
-            giant, sums = scratch[1 + q : 1 + q + p, : here.size], scratch[1 + q + p :, : here.size]
-            fill_products(here * small[-1], u * small[0], giant)
-            np.matmul(coefficients, small, out=sums)
-            np.einsum("dpm,pm->dm", sums.reshape(rows, p, -1), giant, out=into)
-    return values
-
-
-def averages(planar, t):
-    """The same by de Casteljau's loop: slow, but for t in [0, 1] nothing in it is larger than the points."""
-    rows, count = planar.shape
-    values = np.empty((rows, t.size))
-    block = max(1, BLOCK // count)
-    for start in range(0, t.size, block):
-        here = t[start : start + block]
-        level = np.repeat(planar[..., None], here.size, axis=-1)
-        for _ in range(count - 1):
-            level = (1 - here) * level[:, :-1] + here * level[:, 1:]
-        values[:, start : start + block] = level[:, 0]
-    return values
 
 
 def sample(points, m):
@@ -129,9 +68,10 @@ def sample(points, m):
     numbers and an m that is no whole number or below 2. Source: deck, section 1.1, Bernstein form.
     """
     # a picture's few hundred points cost little more than their checks, so these come first in their shortest form
-    plain = type(points) is np.ndarray and points.dtype is FLOAT and points.ndim == 2 and points.size
-    if plain and type(m) is int and 2 <= m <= CACHED // len(points) and is_finite(points):
-        return points.T.dot(uniform_basis(len(points) - 1, m)).T
+    if type(points) is np.ndarray and points.dtype is FLOAT and points.ndim == 2 and type(m) is int and m > 1:
+        few = points.size <= 32
+        if 0 < m * points.size <= CACHED and (hypot(*points.ravel().tolist()) < inf if few else is_finite(points)):
+            return uniform_basis(len(points) - 1, m).dot(points)
     points, flat = control_points(points)
     m = whole(m, "count m", 2)
     count = points.shape[-2]
@@ -139,7 +79,7 @@ def sample(points, m):
         values = values_at(points, np.array([Fraction(i, m - 1) for i in range(m)]))
     elif count * m <= CACHED:
         planar = points.mT.reshape(-1, count)
-        values = product(planar, uniform_basis(count - 1, m)).reshape(*points.mT.shape[:-1], m).mT
+        values = product(planar, uniform_basis(count - 1, m).T).reshape(*points.mT.shape[:-1], m).mT
     elif m // PIECE * count**2 <= 8 * CACHED and points.ndim == 2:
         values = pieces(points, m)
     else:
@@ -149,8 +89,8 @@ def sample(points, m):
 
 @lru_cache(maxsize=16)
 def uniform_basis(n, m):
-    """The basis at m uniform parameters, (n+1, m)."""
-    return frozen(np.ascontiguousarray(basis(n, np.linspace(0, 1, m)).T))
+    """The basis at m uniform parameters, (m, n+1), in memory column after column."""
+    return frozen(np.asfortranarray(basis(n, np.linspace(0, 1, m))))
 
 
 def pieces(points, m):

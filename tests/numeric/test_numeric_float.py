@@ -75,6 +75,28 @@ def test_samples(n, m):
     np.testing.assert_array_equal(sample(points[:, 0], m), sample(points[:, :1], m)[:, 0])
 
 
+@pytest.mark.parametrize("n", [0, 1, 2, 3, 4, 5, 10, 20])
+@pytest.mark.parametrize("d", [1, 2, 3, 9])
+@pytest.mark.parametrize("m", [1023, 1025, 10240, 10241, 20501])
+def test_many_parameters_are_few_at_a_time(n, d, m):
+    points, t = curve(n, d), np.random.default_rng(m).uniform(-0.5, 1.5, m)
+    t[[0, 1, -2, -1]] = 0, 1, 0, 1
+    got, few = evaluate(points, t), np.linspace(0, m - 1, 40).astype(int)
+    assert got.shape == (m, d) and (got[[0, 1, -2, -1]] == points[[0, -1, 0, -1]]).all()
+    peer = BPoly(points[:, None, :], [0, 1])(t)
+    np.testing.assert_allclose(got, peer, rtol=0, atol=2 * bound(n) * 2.0**n)  # |t| + |1-t| <= 2
+    np.testing.assert_allclose(got[few], evaluate(points, t[few]), rtol=0, atol=2 * bound(n) * 2.0**n)
+
+
+@pytest.mark.parametrize("n", [1, 2, 3])
+def test_low_degrees_at_their_worst(n):
+    rng = np.random.default_rng(n)
+    signs = np.array([[(k >> i & 1) * 2.0 - 1 for k in range(2 ** (n + 1))] for i in range(n + 1)])
+    for points in (signs * (1 - rng.random(signs.shape) / 64), rng.uniform(-1, 1, signs.shape)):
+        t = rng.uniform(0, 1, 60)
+        assert error(evaluate(points, t), [value(fractions(points), F(s)) for s in t]) <= bound(n)
+
+
 @degrees
 def test_parts(n):
     points, exact = curve(n), fractions(curve(n))
@@ -181,6 +203,19 @@ def test_what_is_too_large_is_an_error():
     ):
         with pytest.raises(ValueError, match="too large"):
             call()
+
+
+@pytest.mark.parametrize("n, m", [(1, 3000), (2, 3000), (3, 3000), (20, 3000), (3, 1), (20, 1), (700, 9), (1000, 9)])
+def test_what_is_nearly_too_large_is_right_and_silent(n, m):
+    points = np.resize([1.0, -1.0], (n + 1, 1))
+    for scale in (2.0**400, 2.0**1000, 2.0**1023):
+        assert (evaluate(points * scale, np.zeros(m)) == scale).all()
+        assert (sample(points * scale, 3)[[0, 2]] == points[[0, -1]] * scale).all()
+
+
+@pytest.mark.parametrize("t", [1e153, 1e154, 1e300])  # the square of the second is finite, but eight times it is not
+def test_far_away_parameters_are_silent(t):
+    assert (evaluate(np.array([[1.0], [2.0]]), np.full(5, t)) == 1 + t).all()
 
 
 def test_tiny_speeds_count_and_rounded_ones_do_not():

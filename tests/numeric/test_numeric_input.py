@@ -307,6 +307,18 @@ def test_float_arrays_are_searched(bad, size):
         rejects(partial(f, points[:, 1] / 2), "parameter t[2] is")
 
 
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("n", [0, 1, 2, 3, 4, 40])
+@pytest.mark.parametrize("m", [3, 30000])
+def test_arrays_that_need_no_reading_are_searched(bad, n, m):
+    points, t = np.ones((n + 1, 2)), np.full(m, 0.5)
+    points[n, 1], t[2] = bad, bad
+    rejects(lambda: evaluate(points, np.full(m, 0.5)), f"control point b_{n} has coordinate {float(bad)!r}")
+    rejects(lambda: evaluate(np.ones((n + 1, 2)), t), f"parameter t[2] is {float(bad)!r}")
+    rejects(lambda: evaluate(np.ones((n + 1, 2)), t[:0]), "empty")
+    rejects(lambda: sample(points, m), f"control point b_{n} has coordinate {float(bad)!r}")
+
+
 CONTAINERS = {
     "empty": [],
     "empty rows": [[], []],

@@ -1,0 +1,117 @@
+"""Values of float64 polynomials at many parameters: the quick ways, each for its degree and its number of parameters.
+
+The coordinates lie in rows, (rows, n+1) or "planar", because a product of few rows with many columns is the quick one.
+"""
+
+from math import isqrt, log2
+
+import numpy as np
+
+from bezteach.numeric.arrays import finish, is_finite
+from bezteach.numeric.basis import HIGHEST, SINGLE, binomials, elevation, fill_products, products
+
+BLOCK = 10240  # parameters at a time, so that the scratch arrays stay in the processor's cache
+FEW = 1024  # numbers in the basis below which the count of calls decides
+LOW = {
+    1: np.eye(2),
+    2: np.array([[1.0, 0, -1], [0, 0, 2], [0, 1, -1]]),
+    3: np.array([[1.0, 0, -1, 0], [0, 0, 3, 0], [0, 0, 0, 3], [0, 1, 0, -1]]),
+}  # from Bernstein coefficients to those of u, t; u, t, ut; u^2, t^2, u^2 t, t^2 u, where u = 1-t
+
+
+def planar_values(planar, t):
+    """Values (rows, m) of the polynomials with these rows of Bernstein coefficients."""
+    if planar.shape[1] <= HIGHEST + 1:
+        values = basis_values(planar, t)
+        if (values.size > FEW and tame(planar, t)) or is_finite(values):
+            return values
+    return finish(averages(planar, t))  # nothing in between is larger than the points
+
+
+def tame(planar, t):
+    """Whether a bound shows that points, parameters and values are finite, with no pass over the values."""
+    size, reach = float(np.vdot(planar, planar)), float(np.vdot(t, t))  # Python's floats overflow without a warning
+    # |t| + |1-t| and 2 are at most the root of 4 + 8 t^2, and no more than 1.5 n of these are multiplied
+    return 1.5 * planar.shape[1] * log2(4 + 8 * reach) + log2(1 + size) < 2000
+
+
+def basis_values(planar, t):
+    """planar_values where nothing in between is too large."""
+    n = planar.shape[1] - 1
+    if n == 0:
+        return np.repeat(planar, t.size, axis=1)
+    if n <= 3:
+        return low_values(planar, t)
+    if t.size * n <= FEW:
+        return (planar * binomials(n)).dot(products(n, t))
+    return factored_values(planar, t)
+
+
+def low_values(planar, t):
+    """basis_values for n = 1, 2, 3: u^2 = u - ut, u^3 = u^2 - u^2 t and likewise t^2, t^3 save products; u = 1-t."""
+    rows, count = planar.shape
+    coefficients, values = planar.dot(LOW[count - 1]), np.empty((rows, t.size))
+    size, blocks = slices(t.size, min(BLOCK, SINGLE // coefficients.size))
+    row = np.empty((count, size))
+    for part in blocks:
+        here = t[part]
+        u = np.subtract(1, here, out=row[0 if count < 4 else 3])
+        if count < 4:
+            row[1] = here
+            np.multiply(u, here, out=row[2:])  # one row or none
+        else:
+            np.multiply(u, u, out=row[0])
+            np.multiply(here, here, out=row[1])
+            np.multiply(row[0], here, out=row[2])
+            np.multiply(row[1], u, out=row[3])
+        np.matmul(coefficients, row, out=values[:, part])
+    return values
+
+
+def factored_values(planar, t):
+    """basis_values for n > 3 and many parameters: t^i (1-t)^(n-i) is one of q small factors times one of p giant ones.
+
+    There p q = n+1. There is no division and no branch, and the ends are exact.
+    """
+    rows, count = planar.shape
+    q = isqrt(count - 1) + 1
+    p = -(-count // q)
+    raised = planar.dot(elevation(count - 1, p * q - count).T) if p * q > count else planar
+    coefficients, values = raised * binomials(p * q - 1), np.empty((rows, t.size))
+    size, blocks = slices(t.size, min(BLOCK // 2, SINGLE // coefficients.size))
+    (pair, ends), small = np.empty((2, 2, size)), np.empty((q, size))
+    giant = ends if p == 2 else np.empty((p, size))
+    sums_first = 2 * rows <= q  # with few rows it is less work to sum over the small factors first
+    work = np.empty((rows, p, size) if sums_first else (p, q, size))
+    for here in blocks:
+        np.subtract(1, t[here], out=pair[0])
+        pair[1] = t[here]
+        fill_products(pair, small)
+        fill_products(np.multiply(small[:: q - 1], pair, out=ends), giant)
+        if sums_first:
+            np.matmul(coefficients.reshape(rows * p, q), small, out=work.reshape(rows * p, size))
+            np.add.reduce(np.multiply(work, giant, out=work), axis=1, out=values[:, here])
+        else:
+            np.multiply(giant[:, None], small, out=work)
+            np.matmul(coefficients, work.reshape(p * q, size), out=values[:, here])
+    return values
+
+
+def slices(count, most):
+    """Cut count parameters into slices of one size, so that one scratch fits all; the last may overlap."""
+    size = -(-count // -(-count // max(1024, most)))
+    return size, [slice(start, start + size) for start in (*range(0, count - size, size), count - size)]
+
+
+def averages(planar, t):
+    """planar_values by de Casteljau's loop: slow, but for t in [0, 1] nothing in it is larger than the points."""
+    rows, count = planar.shape
+    values = np.empty((rows, t.size))
+    block = max(1, BLOCK // count)
+    for start in range(0, t.size, block):
+        here = t[start : start + block]
+        level = np.repeat(planar[..., None], here.size, axis=-1)
+        for _ in range(count - 1):
+            level = (1 - here) * level[:, :-1] + here * level[:, 1:]
+        values[:, start : start + block] = level[:, 0]
+    return values
