@@ -8,7 +8,19 @@ from importlib import import_module
 
 __version__ = "0.1.0"
 
-_MODULES = ("display", "examples", "figures", "numeric", "parsing", "proof", "questions", "symbolic", "widgets")
+_MODULES = (
+    "bench",
+    "display",
+    "examples",
+    "figures",
+    "ledger",
+    "numeric",
+    "parsing",
+    "proof",
+    "questions",
+    "symbolic",
+    "widgets",
+)
 _NUMERIC = (
     "bernstein",
     "curvature",

@@ -67,9 +67,43 @@ def run_test(arguments):
     return processes.become(command, processes.child_environment(root), cwd=root)
 
 
+def prove_arguments(parser):
+    """Declare what ``prove`` understands."""
+    parser.add_argument("pattern", nargs="?", metavar="PATTERN", help="a part of the claims' ids, or with wildcards *")
+    parser.add_argument("--source", choices=SOURCES, help="only what this source states, in its order")
+    parser.add_argument("--steps", action="store_true", help="show each proof, line by line")
+    parser.add_argument("--json", action="store_true", help="print a list of objects")
+    parser.add_argument("--statement", metavar="TEXT", help='judge this: "sum(B(i,n,t), i, 0, n) = 1"')
+    parser.add_argument("--given", metavar="TEXT", help='where its letters range: "n >= 1, 0 <= t <= 1"')
+
+
+def run_prove(arguments):
+    """Set up what is lacking, then judge the claims of the ledger or a statement."""
+    virtualenv.ready("", arguments.all)
+    from bezteach.proving import run_prove
+
+    return run_prove(arguments)
+
+
+def errata_arguments(parser):
+    """Declare what ``errata`` understands."""
+    parser.add_argument("--json", action="store_true", help="print a list of objects")
+
+
+def run_errata(arguments):
+    """Set up what is lacking, then print what the sources get wrong."""
+    virtualenv.ready("", arguments.all)
+    from bezteach.proving import run_errata
+
+    return run_errata(arguments)
+
+
+SOURCES = ("deck", "games", "notes", "transcript")
 COMMANDS = {
     "lab": Command("set up, and open the lessons in JupyterLab", run_lab, lab_arguments),
     "test": Command("set up, and run every test (arguments are pytest's)", run_test),
+    "prove": Command("prove the formulas of the course, or one of your own", run_prove, prove_arguments),
+    "errata": Command("what the sources print wrongly, with counterexamples", run_errata, errata_arguments),
 }
 
 

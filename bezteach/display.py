@@ -1,5 +1,6 @@
 """Exact numbers, points and triangles as a reader sees them: LaTeX in a notebook, plain text elsewhere."""
 
+import re
 from fractions import Fraction
 
 import numpy as np
@@ -16,6 +17,28 @@ class Exact:
 
     def _repr_latex_(self):
         return f"$\\displaystyle {self.latex}$"
+
+
+class Page:
+    """Prose with formulas to look at: it prints as ``text``, a notebook sets ``markdown``."""
+
+    def __init__(self, text, markdown):
+        self.text, self.markdown = text, markdown
+
+    def __repr__(self):
+        return self.text
+
+    def _repr_markdown_(self):
+        return self.markdown
+
+
+def escaped(words):
+    """Words as they stand in Markdown: nothing in them is a mark-up or a formula.
+
+    >>> print(escaped("b_0 * [t] < $1"))
+    b\\_0 \\* \\[t\\] &lt; \\$1
+    """
+    return re.sub(r"([\\`*_{}\[\]#$|~])", r"\\\1", words).replace("<", "&lt;").replace(">", "&gt;")
 
 
 def number(value):

@@ -2,9 +2,10 @@
 
 from sympy import Dummy, Ge, Gt, Interval, Le, Lt, S, Sum, binomial, factorial, oo
 
-from bezteach.symbolic import B, Step
+from bezteach.symbolic import B, Step, k, n, t
 
 from .algebra import by_algebra
+from .certificate import ByBounds, ByPartOfSum, Lemma
 from .factors import against_zero, why
 from .inequality import BINDERS, difference_of, is_whole
 from .sign_of import signs, unbound
@@ -14,31 +15,43 @@ from .terms import Failure
 
 
 def by_bounds(claim):
+    """The ``ByBounds`` of a claim, or ``Failure``: each part between its bounds is enough for the whole."""
+    bounds = tuple((part, *bounds_of(part, claim.region)) for part in outermost(difference_of(claim)))
+    check_enough(claim, bounds)
+    return ByBounds(bounds, _unity(claim.budget) if any(part.has(B) for part, *_ in bounds) else None)
+
+
+def check_enough(claim, bounds):
     """Put for each B, power, binomial coefficient and factorial a letter that ranges between its bounds."""
     difference, reals, letters = difference_of(claim), dict(claim.region.reals), {}
     if not claim.strict and is_whole(difference, claim.region):
         difference += S.Half  # a whole number is >= 0 if it is > -1
-    lines = []
-    for part in _outermost(difference):
+    for part, interval, _ in bounds:
         letters[part] = Dummy(f"x_{len(letters)}", real=True)
-        reals[letters[part]], reason = found = _bounds(part, claim.region)
-        lines += _between(part, *found)
+        reals[letters[part]] = interval
     if not signs(difference.xreplace(letters), claim.region._replace(reals=reals)) <= claim.wanted:
         raise Failure("the bounds are not enough")
-    if any(part.has(B) for part in letters):
-        yield from _unity(claim.budget)
-    yield from lines
+
+
+def bounds_shown(claim, certificate):
+    """The lines for a reader."""
+    if certificate.unity is not None:
+        found, proof = certificate.unity
+        yield Step(S.One, f"by the {proof.method}, for every degree and argument", found.lhs)
+    for bound in certificate.bounds:
+        yield from _between(*bound)
     relation = Gt if claim.strict else Ge
     yield Step(relation(claim.large - claim.small, 0, evaluate=False), "it holds for all values within these bounds")
 
 
-def _outermost(expr):
+def outermost(expr):
+    """The parts for which letters stand."""
     if isinstance(expr, B | binomial | factorial | BINDERS) or (expr.is_Pow and not expr.exp.is_Integer):
         return [expr]
-    return list(dict.fromkeys(part for each in expr.args for part in _outermost(each)))
+    return list(dict.fromkeys(part for each in expr.args for part in outermost(each)))
 
 
-def _bounds(expr, region):
+def bounds_of(expr, region):
     """The interval in which a part lies, and why."""
     found = signs(expr, region)
     if isinstance(expr, binomial | factorial) and found <= NOT_NEGATIVE:
@@ -81,33 +94,55 @@ def _between(part, interval, reason):
         yield Step(high(part, interval.end, evaluate=False), reason)
 
 
-def _unity(budget):
+def unity():
     """That the basis functions of a degree sum to 1."""
-    from bezteach.symbolic import k, n, t
+    return stated(Sum(B(k, n, t), (k, 0, n)), S.One)
 
-    whole = Sum(B(k, n, t), (k, 0, n))
-    proof = by_algebra(stated(whole, S.One), budget)
+
+def _unity(budget):
+    proof = by_algebra(unity(), budget)
     if proof is None:
         raise Failure("the sum of all is not known")
-    yield Step(S.One, f"by the {proof.method}, for every degree and argument", whole)
+    return Lemma(unity(), proof)
 
 
 def by_part_of_sum(claim):
     """A term of a sum, or a stretch of it, is at most the whole if none of the terms is negative."""
-    small, large, region = claim.small, claim.large, claim.region
-    if not isinstance(large, Sum) or len(large.limits) != 1 or claim.strict:
+    small, large = claim.small, claim.large
+    if not isinstance(large, Sum) or len(large.limits) != 1:
         raise Failure("no sum on the larger side")
     ((k, low, high),) = large.limits
-    body, inside = unbound(large, region)
-    if not signs(body, inside) <= NOT_NEGATIVE:
-        raise Failure("a term may be negative")
-    stretches = [(k, place, place) for place in (*region.whole, low, high) if large.function.subs(k, place) == small]
-    if isinstance(small, Sum) and len(small.limits) == 1:
-        ((other, first, last),) = small.limits
-        stretches += [(other, first, last)] if small.function.subs(other, k) == large.function else []
-    for _, first, last in stretches:
-        if region.holds(first - low) and region.holds(high - last):
-            yield Step(against_zero(large.function, signs(body, inside)), why(body, inside))
-            yield Step(Le(small, large, evaluate=False), f"a part of the sum: {k} from {first} to {last}")
-            return
+    stretches = [(place, place) for place in (*claim.region.whole, low, high)]
+    stretches += [small.limits[0][1:]] if isinstance(small, Sum) else []
+    for first, last in stretches:
+        try:
+            check_stretch(claim, first, last)
+            return ByPartOfSum(first, last)
+        except Failure:
+            continue
     raise Failure("no part of the sum")
+
+
+def check_stretch(claim, first, last):
+    """``Failure`` unless no term of the larger side is negative, and the smaller one is those from first to last."""
+    small, large, region = claim.small, claim.large, claim.region
+    if claim.strict or not isinstance(large, Sum) or len(large.limits) != 1:
+        raise Failure("no sum on the larger side")
+    ((k, low, high),) = large.limits
+    if not signs(*unbound(large, region)) <= NOT_NEGATIVE:
+        raise Failure("a term may be negative")
+    if isinstance(small, Sum) and len(small.limits) == 1 and small.limits[0][1:] == (first, last):
+        same = small.function.subs(small.limits[0][0], k) == large.function
+    else:
+        same = first == last and large.function.subs(k, first) == small
+    if not same or not region.holds(first - low) or not region.holds(high - last):
+        raise Failure("no part of the sum")
+
+
+def part_of_sum_shown(claim, certificate):
+    """The lines for a reader."""
+    body, inside = unbound(claim.large, claim.region)
+    first, last = certificate
+    yield Step(against_zero(claim.large.function, signs(body, inside)), why(body, inside))
+    words = f"a part of the sum: {claim.large.limits[0][0]} from {first} to {last}"
+    yield Step(Le(claim.small, claim.large, evaluate=False), words)

@@ -11,6 +11,7 @@ from dataclasses import replace
 from sympy import Add, Mul, oo
 
 from .budget import Budget
+from .certificate import Through
 from .engine import decided
 from .errors import InvalidStatement, OutOfTime
 from .evaluate import evaluator, expression
@@ -42,6 +43,7 @@ from .verdict import (
     UNDECIDED,
     Proof,
     Verdict,
+    verdict_of,
 )
 
 
@@ -157,7 +159,7 @@ def _judged(claim, clock):
         proof = Proof(INVALID, "", note=str(error))
     except RecursionError:
         proof = Proof(INVALID, "", note="the expression is nested too deeply")
-    return Verdict(proof.status, proof.method, proof.steps, clock.spent, proof.counterexample, proof.note, claim)
+    return verdict_of(proof, claim, clock.spent)
 
 
 def _claim(left, right, found):
@@ -210,8 +212,8 @@ def _complete(verdicts, place, numbers):
             news = _from_others([verdicts[pair] for pair in triangle if pair != key], turned=verdicts[0, place])
             if news is not None:
                 (between,) = {0, place - 1, place} - set(key)
-                how = {"method": f"through line {numbers[between]}", "note": "", "steps": ()}
-                verdicts[key] = replace(verdicts[key], **how, **news)
+                how = {"method": f"through line {numbers[between]}", "note": "", "steps": (), "certificate": None}
+                verdicts[key] = replace(verdicts[key], **how | news)
                 return True
     return False
 
@@ -223,7 +225,8 @@ def _from_others(others, turned):
     holding = [verdict for verdict in others if verdict.status in HOLDS]
     failing = [verdict for verdict in others if verdict.status == REFUTED]
     if len(holding) == 2:
-        return {"status": ARGUED if ARGUED in (verdict.status for verdict in holding) else PROVED}
+        status = ARGUED if ARGUED in (verdict.status for verdict in holding) else PROVED
+        return {"status": status, "certificate": Through(tuple(holding))}
     if not holding or not failing:
         return None
     values, left, right = failing[0].counterexample

@@ -12,9 +12,10 @@ from .induction import by_induction
 from .refuter import counterexample
 from .signs import by_signs
 from .statement import statement
-from .verdict import INVALID, REFUTED, UNDECIDED, Proof, Verdict
+from .verdict import INVALID, REFUTED, UNDECIDED, Proof, verdict_of
+from .wz import by_wz
 
-PROVERS = [by_algebra, by_induction, by_signs, by_cases]
+PROVERS = [by_algebra, by_wz, by_induction, by_signs, by_cases]
 PROVERS_SHARE = 0.6  # of the time left, so that one prover that finds nothing leaves some to the next
 REFUTERS_SHARE = 0.4
 
@@ -38,9 +39,7 @@ def prove(lhs, rhs=None, *, given=None, budget=10.0):
         proof = Proof(INVALID, "", note=str(error))
     except RecursionError:
         proof = Proof(INVALID, "", note="the expression is nested too deeply")
-    return Verdict(
-        proof.status, proof.method, proof.steps, clock.spent, proof.counterexample, proof.note, statement=claim
-    )
+    return verdict_of(proof, claim, clock.spent)
 
 
 def decided(claim, clock):

@@ -15,3 +15,7 @@ class Unsupported(ArithmeticError):
 
 class OutOfTime(Exception):
     """The budget is spent."""
+
+
+class ReplayFailed(Exception):
+    """A proof that does not hold when it is checked again: the message names the first step that fails."""

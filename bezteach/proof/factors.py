@@ -7,6 +7,7 @@ from sympy import Add, Eq, Ge, Gt, Integral, Le, Lt, Mul, Ne, Pow, S, Sum, binom
 
 from bezteach.symbolic import B, Step
 
+from .certificate import BySigns, Part, SignsCase
 from .inequality import difference_of, is_whole
 from .linear import coefficients, least
 from .normal import Edge, normal
@@ -19,53 +20,92 @@ DEEPEST, WIDEST = 6, 6  # edges of edges, cases on one edge
 
 
 def by_factors(claim):
+    """The ``BySigns`` of a claim, or ``Failure``."""
+    difference = difference_of(claim)
+    if not claim.strict and is_whole(difference, claim.region):
+        found = signs(difference + 1, claim.region)
+        if found <= POSITIVE:  # a whole number that is greater than -1
+            return BySigns(1, (SignsCase(Part(), None, ((difference + 1, found),)),))
+    return BySigns(0, tuple(signed(difference, claim.region, claim.wanted, DEEPEST, claim.budget)))
+
+
+def factors_shown(claim, certificate):
+    """The lines for a reader."""
     difference = difference_of(claim)
     yield Step(difference, "the larger side minus the smaller one")
-    if not claim.strict and is_whole(difference, claim.region) and signs(difference + 1, claim.region) <= POSITIVE:
-        yield from _reasons(difference + 1, claim.region)
+    yield from cases_shown(difference + certificate.plus, claim.region, certificate.cases)
+    if certificate.plus:
         yield Step(Ge(difference, 0, evaluate=False), "a whole number that is greater than -1")
-        return
-    yield from signed(difference, claim.region, claim.wanted, DEEPEST, claim.budget)
 
 
-def signed(expr, region, wanted, depth, budget):
-    """The steps to the sign of an expression; beside the edges, as one product of what its terms share."""
+def signed(expr, region, wanted, depth, budget, part=Part()):  # noqa: B008  a part is never changed
+    """The cases to the sign of an expression; beside the edges, as one product of what its terms share."""
     budget.spend()
     if least(S.Zero, region.conditions) != 0:
         return
-    if signs(expr, region) <= wanted:
-        yield from _reasons(expr, region)
+    found = signs(expr, region)
+    if found <= wanted:
+        yield SignsCase(part, None, ((expr, found),))
         return
     try:
         terms = normal(expr, region.whole, list(region.conditions))
     except Edge as edge:
-        yield from _beyond(edge.form, expr, region, wanted, depth, budget)
-        yield from signed(expr, region.where(edge.form), wanted, depth - 1, budget)
+        yield from _beyond(edge.form, expr, region, wanted, depth, budget, part)
+        yield from signed(expr, region.where(edge.form), wanted, depth - 1, budget, part.also(edge.form))
         return
     shared, rests = common_part(terms)
     rest = factor(cancel(Add(*rests)))
-    found = product(signs(rest, region), *(of_power(*power, region) for power in shared.powers.items()))
-    if not found <= wanted:
+    factors = [(rest, signs(rest, region))]
+    factors += [(Pow(*power), of_power(*power, region)) for power in shared.powers.items()]
+    if not product(*(found for _, found in factors)) <= wanted:
         raise Failure("a factor may have either sign")
+    yield SignsCase(part, shared, tuple(factors))
+
+
+def cases_shown(expr, region, cases):
+    """The lines for the signs of an expression in each case."""
+    before = ()
+    for case in cases:
+        for place, (symbol, at) in enumerate(case.part.values):
+            if case.part.values[: place + 1] != before[: place + 1]:
+                yield Step(at, "this edge apart: the terms have another form", symbol)
+        before = case.part.values
+        yield from _case_shown(case, *in_part_of(expr, region, case.part))
+
+
+def in_part_of(expr, region, part):
+    """An expression and the region, in a part of it."""
+    conditions, whole = region.conditions, region.whole
+    for symbol, at in part.values:
+        expr, whole = expr.subs(symbol, at), whole - {symbol}
+        conditions = tuple(expand(condition.subs(symbol, at)) for condition in conditions)
+    return expr, region._replace(whole=whole, conditions=conditions).where(*part.where)
+
+
+def _case_shown(case, expr, region):
+    _, shared, factors = case
+    if shared is None:
+        yield from _reasons(expr, region)
+        return
+    (rest, _), *powers = factors
+    found = product(*(found for _, found in factors))
     yield Step(Mul(written(shared), rest), "what the terms share stands in front")
-    for part in (*Mul.make_args(rest), *(Pow(*power) for power in shared.powers.items())):
+    for part in (*Mul.make_args(rest), *(power for power, _ in powers)):
         if not part.is_number or found == ZERO:
             yield from _reasons(part, region)
 
 
-def _beyond(form, expr, region, wanted, depth, budget):
+def _beyond(form, expr, region, wanted, depth, budget, part):
     """The cases form = -1, -2, ..., each with one integer symbol less."""
     low, found = least(form, region.conditions), coefficients(form)
     symbol = max((s for s in region.whole if abs(found.get(s, 0)) == 1), key=str, default=None)
-    if depth == 0 or low < -WIDEST or symbol is None:
+    if depth == 0 or low < -WIDEST or symbol is None or not all(c.is_Integer for c in found.values()):
         raise Failure(f"too many cases where {form} is negative")
     for value in range(1, int(-low) + 1):
         at = expand(symbol - found[symbol] * (form + value))
-        conditions = tuple(expand(condition.subs(symbol, at)) for condition in region.conditions)
-        inside = region._replace(whole=region.whole - {symbol}, conditions=conditions)
-        if least(S.Zero, conditions) == 0:
-            yield Step(at, "the edge apart, where the terms have another form", symbol)
-            yield from signed(expr.subs(symbol, at), inside, wanted, depth - 1, budget)
+        case, inside = in_part_of(expr, region, Part(((symbol, at),)))
+        if least(S.Zero, inside.conditions) == 0:
+            yield from signed(case, inside, wanted, depth - 1, budget, part.with_value(symbol, at))
 
 
 def one_term(expr, region):

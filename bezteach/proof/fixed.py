@@ -11,6 +11,7 @@ from sympy import Max, Min, oo
 
 from bezteach.symbolic import Step
 
+from .certificate import ByCases
 from .errors import InvalidStatement, OutOfTime, Unsupported
 from .evaluate import evaluator
 from .polynomial import VARIABLE, atom, to_sympy
@@ -57,7 +58,8 @@ def _all_cases(statement, budget):
     if failed or len(done) < len(cases):
         return failed
     number = "the only case" if len(cases) == 1 else f"all {len(cases)} cases"
-    return Proof(PROVED, "all cases", _steps(statement, cases, budget), f"{number}, as identities of polynomials")
+    note, certificate = f"{number}, as identities of polynomials", ByCases(tuple(done))
+    return Proof(PROVED, "all cases", steps_of(statement, done), note, certificate=certificate)
 
 
 def _some_degrees(statement, budget):
@@ -83,24 +85,39 @@ def _some_degrees(statement, budget):
         ranges[first] = Integers(ranges[first].low, last)
     listed = ", ".join(f"{symbol} = {ranges[symbol].low}..{ranges[symbol].high}" for symbol in ranges if symbol in wide)
     note = f"exact for {listed} and every value of the other symbols, and for nothing else"
-    return Proof(CHECKED, "fixed degrees", _steps(statement, done, budget), note)
+    return Proof(CHECKED, "fixed degrees", steps_of(statement, done), note)
 
 
 def _hold(statement, cases, budget):
-    """The cases in which both sides are the same, up to the end of the budget; a refutation if one of them fails."""
-    probe, letters, done = prober(statement), _letters(statement), []
+    """The cases in which the relation holds, each with the values of both sides, up to the end of the budget; and a
+    refutation if it fails in one of them.
+    """
+    probe, values, done = prober(statement), both_sides(statement), []
     try:
         for case in cases:
             budget.spend()
-            if probe((*case, *letters), budget) is not None:
+            if probe((*case, *letters(statement)), budget) is not None:
                 return done, _refuted(statement, case, budget)
-            done.append(case)
+            done.append((case, *values(case, budget)))
     except OutOfTime:
         pass
     return done, None
 
 
-def _letters(statement):
+def both_sides(statement):
+    """A function of the values of the integer symbols: both sides, as polynomials in the real ones."""
+    symbols, reals = tuple(statement.ranges), letters(statement)
+    left = evaluator(statement.lhs, symbols)
+    right = left if statement.relation == "=" else evaluator(statement.rhs, symbols)  # the refuter has compared them
+
+    def values(case, budget):
+        value = left((*case, *reals), budget)
+        return value, value if right is left else right((*case, *reals), budget)
+
+    return values
+
+
+def letters(statement):
     """The real symbols, each as the polynomial that it is."""
     reals = [symbol for symbol, found in statement.ranges.items() if not isinstance(found, Integers)]
     return tuple(atom(VARIABLE, symbol.name) for symbol in reals)
@@ -116,14 +133,10 @@ def _refuted(statement, case, budget):
     return Proof(REFUTED, "refuter", note=str(found), counterexample=found.counterexample)
 
 
-def _steps(statement, cases, budget):
-    if statement.relation != "=":
-        return ()
-    side, letters = evaluator(statement.lhs, tuple(statement.ranges)), _letters(statement)
-    try:
-        return tuple(_step(statement, case, side((*case, *letters), budget)) for case in cases[:STEPS_SHOWN])
-    except OutOfTime:
-        return ()
+def steps_of(statement, cases):
+    """The lines for the first of the cases (values, left, right)."""
+    shown = cases[:STEPS_SHOWN] if statement.relation == "=" else ()
+    return tuple(_step(statement, case, value) for case, value, _ in shown)
 
 
 def _step(statement, case, value):

@@ -1,12 +1,15 @@
-"""Equations with a partial sum, proved by induction on the limit that moves: one case, and the step to the next.
+"""Equations with a partial sum, proved by induction on a limit that moves: one case, and the step to the next.
 
 A sum from k = s on loses its first summand when s grows by one, and a sum up to s gains one. So the step is an equation
-without that sum, and ``algebra`` decides it and the case at the end of the range.
+about that summand, and about the sum of what the others gain; ``algebra`` decides it and the case at the end.
 """
 
-from sympy import Add, Sum, expand
+from sympy import Sum, expand
 
-from .algebra import by_algebra, with_fresh_indices
+from .algebra import by_algebra, region_of, with_fresh_indices
+from .certificate import ByInduction, Lemma
+from .defined import check_defined
+from .differences import difference
 from .ranges import Integers
 from .statement import Statement
 from .terms import Failure
@@ -25,57 +28,58 @@ def by_induction(statement, budget):
     """
     if statement.relation != "=":
         return None
-    sides = tuple(with_fresh_indices(expand(side)) for side in (statement.lhs, statement.rhs))
-    limits = {limit for side in sides for part in side.atoms(Sum) for limit in part.limits[-1][1:]}
-    for symbol in [s for s, values in statement.ranges.items() if isinstance(values, Integers) and s in limits]:
+    whole, conditions = region_of(statement.ranges)
+    try:
+        for side in (statement.lhs, statement.rhs):
+            check_defined(side, conditions, statement.ranges)
+    except Failure:
+        return None
+    for symbol in sorted(whole & _moving(statement), key=str):
         for upward in (True, False):
             budget.spend()
-            proof = _along(symbol, upward, sides, statement.ranges, budget)
+            proof = _along(symbol, upward, statement, budget)
             if proof is not None:
                 return proof
     return None
 
 
-def _along(symbol, upward, sides, ranges, budget):
-    low, high = ranges[symbol]
-    start, end = (low, high) if upward else (high, low)
-    others = {s: values for s, values in ranges.items() if s != symbol}
+def _moving(statement):
+    """The symbols in the limits of sums."""
+    sums = [total for side in (statement.lhs, statement.rhs) for total in side.atoms(Sum)]
+    return {symbol for total in sums for _, *ends in total.limits for end in ends for symbol in end.free_symbols}
+
+
+def _along(symbol, upward, statement, budget):
+    lemmas = []
+    for claim in first_and_step(statement, symbol, upward) or ():
+        proof = by_algebra(claim, budget)
+        if proof is None:
+            return None
+        lemmas.append(Lemma(claim, proof))
+    if not lemmas:
+        return None
+    low, high = statement.ranges[symbol]
+    note = f"on {symbol}, from {low if upward else high}"
+    steps = tuple(step for lemma in lemmas for step in lemma.proof.steps)
+    return Proof(PROVED, "induction", steps, note, certificate=ByInduction(symbol, upward, *lemmas))
+
+
+def first_and_step(statement, symbol, upward):
+    """The statement at one end of the range of a symbol, and that both sides gain the same by a step; None if that end
+    is infinite, or if the range of another symbol depends on this one.
+    """
+    low, high = statement.ranges[symbol]
+    start = low if upward else high
+    others = {s: values for s, values in statement.ranges.items() if s != symbol}
     if start.is_infinite or any(symbol in _ends(values) for values in others.values()):
         return None
-    try:
-        steps = tuple(_difference(side, symbol, upward) for side in sides)
-    except Failure:
-        return None
-    inner = Integers(low, high - 1)
-    first = by_algebra(Statement(*_equation([side.subs(symbol, start) for side in sides]), others), budget)
-    step = by_algebra(Statement(*_equation(steps), {**others, symbol: inner}), budget)
-    if first is None or step is None:
-        return None
-    return Proof(PROVED, "induction", first.steps + step.steps, f"on {symbol}, from {start}")
-
-
-def _equation(sides):
-    return sides[0], "=", sides[1]
+    sides = [with_fresh_indices(expand(side)) for side in (statement.lhs, statement.rhs)]
+    ranges = {**others, symbol: Integers(low, high - 1)}
+    conditions = region_of(ranges)[1]
+    left, right = (side.subs(symbol, start) for side in sides)
+    gains = [difference(side, symbol, conditions) for side in sides]
+    return Statement(left, "=", right, others), Statement(gains[0], "=", gains[1], ranges)
 
 
 def _ends(values):
     return values.low.free_symbols | values.high.free_symbols if isinstance(values, Integers) else set()
-
-
-def _difference(side, symbol, upward):
-    """side at symbol + 1 less side at symbol; a partial sum gives its one summand."""
-    return Add(*[_difference_of_part(part, symbol, upward) for part in Add.make_args(side)])
-
-
-def _difference_of_part(part, symbol, upward):
-    sums = [factor for factor in part.args if isinstance(factor, Sum)] if part.is_Mul else [part]
-    if len(sums) == 1 and isinstance(sums[0], Sum) and len(sums[0].limits) == 1:
-        (total,) = sums
-        front = part / total
-        index, low, high = total.limits[0]
-        if not (front.has(symbol) or total.function.has(symbol)):
-            if low == symbol and not high.has(symbol):
-                return -front * total.function.subs(index, symbol)
-            if high == symbol and not low.has(symbol):
-                return front * total.function.subs(index, symbol + 1)
-    return part.subs(symbol, symbol + 1) - part

@@ -6,21 +6,21 @@ respect to open and closed ends; nothing is taken from what SymPy assumes of a s
 
 from sympy import PolynomialError
 
-from .bounds import by_bounds, by_part_of_sum
-from .factors import by_factors
-from .growth import by_induction
+from .bounds import bounds_shown, by_bounds, by_part_of_sum, part_of_sum_shown
+from .factors import by_factors, factors_shown
+from .growth import by_induction, growth_shown
 from .inequality import claim_of
 from .normal import Edge
-from .peak import by_peak
+from .peak import by_peak, peak_shown
 from .terms import Failure
 from .verdict import PROVED, Proof
 
-METHODS = {
-    "signs of the factors": by_factors,
-    "bounds": by_bounds,
-    "part of a sum": by_part_of_sum,
-    "peak": by_peak,
-    "induction": by_induction,
+METHODS = {  # each is a search for a certificate, and what it shows of it
+    "signs of the factors": (by_factors, factors_shown),
+    "bounds": (by_bounds, bounds_shown),
+    "part of a sum": (by_part_of_sum, part_of_sum_shown),
+    "peak": (by_peak, peak_shown),
+    "induction": (by_induction, growth_shown),
 }
 
 
@@ -41,10 +41,11 @@ def by_signs(statement, budget):
         claim = claim_of(statement, budget)
     except Failure:
         return None
-    for method, proved in METHODS.items():
+    for method, (proved, shown) in METHODS.items():
         budget.spend()
         try:
-            return Proof(PROVED, method, tuple(proved(claim)))
+            certificate = proved(claim)
+            return Proof(PROVED, method, tuple(shown(claim, certificate)), certificate=certificate)
         except (Failure, Edge, PolynomialError):
             continue
     return None

@@ -7,7 +7,7 @@ none of them. It stands for its value where every form under a factorial is >= 0
 from collections import defaultdict
 from typing import NamedTuple
 
-from sympy import Add, Expr, Integer, Mul, Pow, S, expand, factorial
+from sympy import Add, Expr, Integer, Mul, Pow, S, cancel, expand, factorial
 
 from .linear import coefficients
 
@@ -63,7 +63,7 @@ def binomial_of(top, bottom):
 
 
 def power_of(base, exponent):
-    """base^exponent for a base without integer symbols: products and signs taken apart, a plain factor if numeric."""
+    """base^exponent for a base without integer symbols: products, quotients and signs taken apart."""
     base, exponent = expand(base), expand(exponent)
     if base == 1 or exponent == 0:
         return Term()
@@ -74,6 +74,8 @@ def power_of(base, exponent):
         return result
     if base.is_Pow and base.exp.is_Integer:
         return power_of(base.base, base.exp * exponent)
+    if base.is_Rational and base.q != 1:
+        return times(power_of(Integer(base.p), exponent), power_of(Integer(base.q), -exponent))
     if base.is_Rational and base < 0 and base != -1:
         return times(power_of(S.NegativeOne, exponent), power_of(-base, exponent))
     if base.is_Add and base.as_coeff_Add()[0].is_negative:
@@ -120,6 +122,56 @@ def _families(terms):
 def _rising(lowest, form):
     """form! / lowest!, a product."""
     return Mul(*[lowest + k for k in range(1, int(form - lowest) + 1)])
+
+
+def joined(terms):
+    """The same sum with those terms added up whose quotients are rational.
+
+    Factorials below stand with their highest form, so that what is above them may cancel what divides.
+
+    >>> from bezteach.symbolic import i, n
+    >>> joined([binomial_of(n, i), binomial_of(n, i + 1)]) == [times(Term(n + 1), Term(S.One,
+    ...     {n: S.One, i + 1: -S.One, n - i: -S.One}))]
+    True
+    """
+    results = []
+    for group in alike(terms):
+        if len(group) == 1:
+            results += group
+            continue
+        shared, rests = common_part(group)
+        highest, factor = _highest(shared.factorials, group)
+        total = cancel(Add(*rests) * factor)
+        if total != 0:
+            results.append(times(Term(total), shared._replace(factorials=highest)))
+    return results
+
+
+def alike(terms):
+    """The terms in groups whose quotients are rational."""
+    groups = []
+    for term in terms:
+        for group in groups:
+            try:
+                common_part([*group, term])
+            except Failure:
+                continue
+            group.append(term)
+            break
+        else:
+            groups.append([term])
+    return groups
+
+
+def _highest(factorials, terms):
+    """The factorials below written with the highest form of their family, and what makes up for it."""
+    found, factor = {}, S.One
+    families = {min(family, key=lambda form: form.as_coeff_Add()[0]): family for family in _families(terms)}
+    for lowest, exponent in factorials.items():
+        form = max(families[lowest], key=lambda form: form.as_coeff_Add()[0]) if exponent < 0 else lowest
+        factor *= _rising(lowest, form) ** -exponent
+        found[form] = exponent
+    return found, factor
 
 
 def written(term):

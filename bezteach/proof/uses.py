@@ -7,6 +7,7 @@ from sympy import (
     FallingFactorial,
     Indexed,
     Integral,
+    KroneckerDelta,
     Pow,
     Product,
     RisingFactorial,
@@ -65,6 +66,7 @@ _WHOLE = {
     factorial: (0,),
     FallingFactorial: (1,),
     RisingFactorial: (1,),
+    KroneckerDelta: (0, 1),
 }
 
 

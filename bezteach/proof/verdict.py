@@ -22,6 +22,7 @@ class Proof(NamedTuple):
     steps: tuple[Step, ...] = ()
     note: str = ""
     counterexample: Counterexample | None = None
+    certificate: tuple | None = None  # one of certificate.py, if it is PROVED
 
 
 @dataclass(frozen=True, repr=False)
@@ -35,6 +36,27 @@ class Verdict:
     counterexample: Counterexample | None = None
     note: str = ""
     statement: Statement | None = None
+    certificate: tuple | None = None
+
+    def replay(self):
+        """Check a PROVED verdict again, from its statement and certificate alone: without the search that found it.
+
+        Checked are: that the cases cover the range; that in each case what the kernel makes of both sides is what is
+        recorded, and that it is 0, or has the sign, by polynomial arithmetic; the statements that an induction or a
+        telescoping sum rests on, and their proofs; that the steps shown are those of the certificate; and everything
+        that has a value by the exact evaluator on a grid of points. ``ReplayFailed`` names the first that fails.
+
+        >>> from bezteach.proof import prove
+        >>> from bezteach.symbolic import B, i, n, t
+        >>> prove(t * B(i, n, t), (i + 1) / (n + 1) * B(i + 1, n + 1, t), given={i: (0, n)}).replay()
+        >>> prove(B(i, n, t), B(i, n, 1 - t)).replay()
+        Traceback (most recent call last):
+        ...
+        bezteach.proof.errors.ReplayFailed: only a PROVED verdict can be replayed, and this one is REFUTED
+        """
+        from .replay import replay
+
+        replay(self)
 
     def __repr__(self):
         how = f" ({self.method})" if self.method else ""
@@ -51,6 +73,20 @@ class Verdict:
         if self.note:
             lines.append(in_words(self.note))
         return "$$\\begin{gathered}\n" + " \\\\[1ex]\n".join(lines) + "\n\\end{gathered}$$"
+
+
+def verdict_of(proof, claim, seconds):
+    """The ``Verdict`` on a statement that a ``Proof`` is."""
+    return Verdict(
+        proof.status,
+        proof.method,
+        proof.steps,
+        seconds,
+        proof.counterexample,
+        proof.note,
+        claim,
+        proof.certificate,
+    )
 
 
 def point_words(found):

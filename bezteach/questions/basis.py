@@ -40,7 +40,8 @@ QUESTIONS = {
         "Move t over the cubic functions. Does B₁ reach the value 1 somewhere?",
         {
             "yes, at t = 1/3": "At t = 1/3 it is greatest. Read its exact value there.",
-            "no, only B₀ and B₃ reach 1": "Yes: if one of them were 1 the others would all be 0, and inside (0, 1) none is 0.",
+            "no, only B₀ and B₃ reach 1": "Yes: if one of them were 1 the others would all be 0, "
+            "and inside (0, 1) none is 0.",
             "yes, for a larger degree": "With the degree the humps get lower, not higher.",
         },
         "no, only B₀ and B₃ reach 1",
@@ -74,7 +75,8 @@ QUESTIONS = {
         "at 2/5",
     ),
     "basis/derivative-degree": Choice(
-        "The derivative of B_{1,3} is a combination of two Bernstein functions. Of which degree, and with which factor in front?",
+        "The derivative of B_{1,3} is a combination of two Bernstein functions. Of which degree, and with which "
+        "factor in front?",
         {
             "degree 2, factor 3": "Yes: n times a difference of two functions of degree n - 1.",
             "degree 2, factor 1": "At t = 0 the function leaves with slope 3.",
@@ -92,7 +94,7 @@ QUESTIONS = {
         "none, all areas are equal",
     ),
     "basis/sum-from-one": Choice(
-        "A slide prints the sum of the basis functions from i = 1 to n and says that it is 1. For which t is that true?",
+        "A slide prints that the sum of the basis functions from i = 1 to n is 1. For which t is that true?",
         {
             "for every t": "Which function is left out, and where is it not 0?",
             "for no t": "The function left out is (1 - t) to the power n. Is it 0 somewhere?",
@@ -117,7 +119,7 @@ QUESTIONS = {
         "1/2",
     ),
     "basis/exercise-recursion": Entry(
-        "Exercise 3. At some t = 1/4 you know B_{1,4} = 27/64 and B_{0,4} = 81/256. Find B_{1,5} there by the recursion:",
+        "Exercise 3. At t = 1/4, B_{1,4} = 27/64 and B_{0,4} = 81/256. Find B_{1,5} there by the recursion:",
         lambda: bernstein(5, F(1, 4))[1],
         lambda: [
             (
@@ -151,7 +153,8 @@ QUESTIONS = {
         "(1, 0, 1/2, 1)",
     ),
     "basis/exercise-part": Entry(
-        "Exercise 6. B_{2,2}(t) = t², for t only up to 1/2, is written in u = 2t. Its coefficients before B_{0,2}(u), B_{1,2}(u), B_{2,2}(u):",
+        "Exercise 6. B_{2,2}(t) = t², for t up to 1/2 only, in terms of u = 2t. Its coefficients in the Bernstein "
+        "basis of u, B₀ first:",
         lambda: segment([0, 0, 1], 0, F(1, 2)),
         lambda: [
             ((0, 0, 1), "At u = 1, that is t = 1/2, the function is not 1."),

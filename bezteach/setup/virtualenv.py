@@ -35,7 +35,7 @@ def ready(extra, arguments):
     if not lacking(extra, root):
         return
     if root is None:
-        raise Problem(f'something is missing here: run pip install "bezteach[{extra}]", {AGAIN}')
+        raise Problem(f'something is missing here: run pip install "bezteach{bracketed(extra)}", {AGAIN}')
     with alone(root):
         python = set_up(root, extra)
     become([python, "-m", "bezteach", *arguments], child_environment(root))
@@ -61,6 +61,11 @@ def set_up(root, extra):
         say(f"installing what is new into .venv: {', '.join(missing)}")
         _install(root, python, extra, teller())
     return python
+
+
+def bracketed(extra):
+    """An extra behind the name it belongs to; none for what is always needed."""
+    return f"[{extra}]" if extra else ""
 
 
 def _runs(python):
@@ -143,7 +148,7 @@ def _make(root, folder, extra):
 def _install(root, python, extra, tell):
     """Install the checkout with its extra, in place. Raises Problem with pip's reason."""
     # --no-user: a setting that is of use outside, and an error inside a virtual environment.
-    command = [str(python), "-m", "pip", "install", "--no-user", "-e", f".[{extra}]"]
+    command = [str(python), "-m", "pip", "install", "--no-user", "-e", f".{bracketed(extra)}"]
     code, lines = run(command, root, tell, "preparing")
     if code:
         raise Problem(f"installing failed: {reason(lines, root)}")

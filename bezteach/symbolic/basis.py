@@ -38,7 +38,8 @@ class B(Function):
 
     def _latex(self, printer, exp=None):
         i, n, t = map(printer._print, self.args)
-        text = rf"B_{{{i},{n}}}\left({t}\right)"
+        around = (r"\left(", r"\right)") if r"\frac" in t else "()"
+        text = rf"B_{{{i},{n}}}{around[0]}{t}{around[1]}"
         return text if exp is None else rf"{text}^{{{exp}}}"
 
 

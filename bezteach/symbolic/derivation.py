@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from sympy import Expr, Function, Symbol, expand
 
-from .printing import latex
+from .printing import in_words, latex
 
 p = Function("p")
 
@@ -45,7 +45,7 @@ class Derivation(tuple):
         return "\n".join(map(repr, self))
 
     def _repr_latex_(self):
-        lines = [rf"{step.latex('&')} && \text{{{step.reason}}}" for step in self]
+        lines = [rf"{step.latex('&')} && {in_words(step.reason)}" for step in self]
         return "$$\\begin{aligned}\n" + " \\\\[1ex]\n".join(lines) + "\n\\end{aligned}$$"
 
 

@@ -134,7 +134,7 @@ def test_steps_are_shown_as_a_reader_would_write_them():
     verdict = prove(t * B(i, n, t), (i + 1) / (n + 1) * B(i + 1, n + 1, t), given={i: (0, n)})
     assert [str(s.reason) for s in verdict.steps] == [
         "the difference of both sides",
-        "what the terms share stands in front; the rest is a rational function",
+        "what the terms share, times what is left of each",
         "it is 0 for all values",
     ]
     assert prove(step(t) ** n * b[0], CURVE).status == "PROVED"

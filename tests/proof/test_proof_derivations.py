@@ -496,7 +496,7 @@ def test_a_judgement_in_a_terminal():
 
 def test_a_judgement_in_a_notebook():
     shown = check_derivation(RECURSION, given=INNER)._repr_latex_()
-    assert shown.startswith("$$\\begin{aligned}\n& B_{i,n}\\left(u\\right) \\\\[1ex]\n&= ")
+    assert shown.startswith("$$\\begin{aligned}\n& B_{i,n}(u) \\\\[1ex]\n&= ")
     assert shown.endswith("the last line equals the first}\n\\end{aligned}$$")
     assert r"\text{✓ follows: ratio of terms}" in shown and r"\text{✗ wrong}" in shown
     assert r"n = 2,\quad i = 1,\quad u = \frac{1}{3}:\quad \text{left: } \frac{4}{9}" in shown

@@ -172,5 +172,5 @@ def test_an_expression_too_deep_to_follow_is_no_statement():
 def test_a_statement_shows_itself_as_the_course_writes_it():
     claim = statement(Ge(t * B(i, n, t), 0, evaluate=False))
     assert repr(claim) == "t*B(i, n, t) >= 0"
-    assert claim.latex() == r"t B_{i,n}\left(t\right) \ge 0"
-    assert claim._repr_latex_() == r"$\displaystyle t B_{i,n}\left(t\right) \ge 0$"
+    assert claim.latex() == r"t B_{i,n}(t) \ge 0"
+    assert claim._repr_latex_() == r"$\displaystyle t B_{i,n}(t) \ge 0$"

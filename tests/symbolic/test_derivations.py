@@ -175,4 +175,4 @@ def test_a_notebook_shows_aligned_lines_with_reasons():
     assert shown.count("&&") == len(steps) == 6
     assert r"\left[\left(1 - t\right) + t E\right]^{j} {b}_{0}" in shown
     assert repr(steps).splitlines()[-1] == "= Sum(B(i, j, t)*b[i], (i, 0, j))    (expanded in E)"
-    assert steps[-1]._repr_latex_() == r"$\displaystyle = \sum_{i=0}^{j} B_{i,j}\left(t\right) {b}_{i}$"
+    assert steps[-1]._repr_latex_() == r"$\displaystyle = \sum_{i=0}^{j} B_{i,j}(t) {b}_{i}$"

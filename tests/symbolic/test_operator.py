@@ -80,8 +80,9 @@ def test_b_stays_symbolic_until_asked():
 
 
 def test_latex_is_that_of_the_slides():
-    assert latex(B(i, n, t)) == r"B_{i,n}\left(t\right)"
-    assert latex(B(i, n, t) ** 2) == r"B_{i,n}\left(t\right)^{2}"
+    assert latex(B(i, n, t)) == r"B_{i,n}(t)"
+    assert latex(B(i, n, t / 2)) == r"B_{i,n}\left(\frac{t}{2}\right)"
+    assert latex(B(i, n, t) ** 2) == r"B_{i,n}(t)^{2}"
     assert latex(step(t) ** n * b[0]) == r"\left[\left(1 - t\right) + t E\right]^{n} {b}_{0}"
     assert latex((E - 1) ** 2 * E**j) == r"\left[E - 1\right]^{2} E^{j}"
     assert latex(n - i + 1) == "n + 1 - i"
