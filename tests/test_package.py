@@ -49,7 +49,9 @@ ARROWS = {
     "questions": {"numeric", "examples"},
     "palette": set(),
     "figures": {"numeric", "display", "palette"},
-    "widgets": {"numeric", "examples", "symbolic", "display", "questions", "palette"},
+    "bench": {"parsing", "proof"},
+    "ledger": {"proof", "symbolic", "display", "examples"},
+    "widgets": {"numeric", "examples", "symbolic", "display", "questions", "palette", "bench", "parsing", "proof"},
 }
 
 

@@ -3,7 +3,10 @@
 from fractions import Fraction
 from pathlib import Path
 
+import pytest
+
 from bezteach.examples import EXAMPLES
+from bezteach.ledger.summary import written_into
 from bezteach.widgets.explorers import split_view
 
 ROOT = Path(__file__).parents[1]
@@ -20,3 +23,8 @@ def test_every_folder_and_file_it_names_is_there():
             names = [name for name in line.split("|")[1].split("`") if name.strip(" ,")]
             places = [ROOT / name if "/" in name else ROOT / "bezteach" / name for name in names]
             assert all(place.exists() for place in places), line
+
+
+def test_a_readme_without_the_marks_is_refused():
+    with pytest.raises(ValueError, match="lost the marks"):
+        written_into("# bezteach", "240 claims")

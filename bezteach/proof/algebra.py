@@ -65,7 +65,8 @@ def region_of(ranges):
 
 def steps_of(sides, cases):
     """The lines that show the cases to a reader."""
-    before, points = (), {point.base[0] for side in sides for point in side.atoms(Indexed)}
+    before, bases = (), {point.base for side in sides for point in side.atoms(Indexed)}
+    first_point = {POINT: bases.pop()[0]} if bases else {}
     for part, groups in cases:
         for place, (symbol, at) in enumerate(part.values):
             if part.values[: place + 1] != before[: place + 1]:
@@ -74,7 +75,7 @@ def steps_of(sides, cases):
         left, right = in_part(sides, part)
         yield Step(left - right, "the difference of both sides")
         for shared, rests in groups:
-            left_over = Add(*[rest.xreplace({POINT: point for point in points}) for rest in rests], evaluate=False)
+            left_over = Add(*[rest.xreplace(first_point) for rest in rests], evaluate=False)
             line = Mul(written(shared), left_over, evaluate=False)
             yield Step(line, "what the terms share, times what is left of each")
         yield Step(S.Zero, "it is 0 for all values")

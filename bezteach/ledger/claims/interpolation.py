@@ -131,9 +131,9 @@ CLAIMS = [
         "So the curve is C2 exactly if v_{i-1} + 4 v_i + v_{i+1} = 3 (D_{i+1} - D_{i-1}) for i = 1, ..., N - 1. Two "
         "more conditions may be chosen: let the second derivative be 0 at both ends, which is "
         "2 v_0 + v_1 = 3 (D_1 - D_0) and v_{N-1} + 2 v_N = 3 (D_N - D_{N-1}).",
-        "In each coordinate these are N + 1 linear equations for N + 1 numbers. With 0 on the right they have only the "
-        "solution 0: if v_k were one of the greatest amount, not 0, then 4 v_k, or 2 v_k at an end, would have a "
-        "greater amount than the one or two other terms of its equation, 2 |v_k| or |v_k| at most, can cancel.",
+        "In each coordinate these are N + 1 linear equations for N + 1 numbers. If all right sides are 0, so are they: "
+        "let v_k be one of the greatest amount. Its own term, 4 v_k, or 2 v_k at an end, would have to be cancelled by "
+        "terms that amount to 2 |v_k| at most, or |v_k| at an end: so v_k is 0, and all are.",
         "Hence they have exactly one solution, whatever stands on the right.",
         Computed("An instance: the data 0, 3, 1, 1, 5 in one coordinate.", smooth_instance),
     ),

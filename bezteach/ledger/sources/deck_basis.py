@@ -28,6 +28,7 @@ def recursion_without_range():
 
 
 ROWS = [
+    row("1, introduction, a curve of polynomials", "curve/powers"),
     row("1.1, 1, the curve in relative vectors", "bezier/form"),
     row("1.1, 1, control polygon", "bezier/vertices"),
     row(

@@ -101,8 +101,8 @@ ROWS = [
         "curve/convexity",
         amended(
             "if the control polygon is convex, so is the curve",
-            "convex must not be taken as it is defined on the slide before: that no line along an edge counts, and that "
-            "a place counts as often as it is passed, is left out there; with the first alone, the right angle "
+            "convex must not be taken as it is defined on the slide before: that no line along an edge counts, and "
+            "that a place counts as often as it is passed, is left out there; with the first alone, the right angle "
             "(1, 0), (0, 0), (0, 1), (0, 0), whose second leg is passed twice, would be convex and its curve not",
         ),
     ),

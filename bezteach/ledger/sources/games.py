@@ -1,6 +1,6 @@
 """The games slides: power basis against Bernstein basis, properties, de Casteljau, joins."""
 
-from sympy import Derivative, Integer, Sum, binomial, factorial, oo
+from sympy import Derivative, Integer, Mul, Sum, binomial, factorial, oo
 
 from bezteach.symbolic import B, E, i, n, r, step, t
 
@@ -34,6 +34,8 @@ def cut(number):
                 "point b_1^1 of the first level is a control point of neither",
             ),
         ),
+        row(f"{where}, use, polygons for the curve", "limit/halving"),
+        row(f"{where}, use, roots", "curve/hull/range"),
     ]
 
 
@@ -157,7 +159,7 @@ ROWS = [
         amended(
             (
                 Derivative(B(i, n, t), (t, 2)),
-                n * (n - 1) * (B(i - 2, n - 2, t) * 2 * B(i - 1, n - 2, t) + B(i, n - 2, t)),
+                n * (n - 1) * (Mul(B(i - 2, n - 2, t), 2, B(i - 1, n - 2, t), evaluate=False) + B(i, n - 2, t)),
             ),
             LOST,
             {n: (2, oo)} | WITHIN,

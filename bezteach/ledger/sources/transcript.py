@@ -80,6 +80,8 @@ ROWS = [
     ),
     row("de Casteljau, first part", "split/left"),
     row("de Casteljau, second part", "split/right"),
+    row("de Casteljau, use, polygons for the curve", "limit/halving"),
+    row("de Casteljau, use, intersections", "curve/hull/disjoint"),
     row("joins, more points by a higher degree", "curve/count"),
     row(
         "joins, oscillation at high degree",
