@@ -60,6 +60,10 @@ def _check(expr, conditions, reals):
         _check_not_negative(expr, expr.args[0], conditions)
     elif isinstance(expr, KroneckerDelta):
         _check_whole(expr, *expr.args[:2])
+    elif isinstance(expr, Derivative):
+        for _, order in expr.variable_count:
+            _check_whole(expr, order)
+            _check_not_negative(expr, order, conditions)
     bodies, bound = _bodies(expr)
     reals = {symbol: values for symbol, values in reals.items() if symbol not in bound}
     for part in bodies:

@@ -227,3 +227,13 @@ def test_the_steps_of_an_induction_begin_with_its_first_case():
     verdict = prove(lhs, rhs, given=ranges)
     assert (verdict.method, verdict.note) == ("induction", "on i, from 1")
     assert TAIL.has(Sum) and verdict.certificate.symbol == i
+
+
+def test_a_derivative_of_negative_order_is_not_dropped_beside_a_factor_0():
+    """C(k, -1) = 0, but there is no derivative of order -1, and 0 times nothing is nothing."""
+    curve = Sum(B(j, n, t) * b[j], (j, 0, n))
+    line = Sum(binomial(k, r) * factorial(n - r) / factorial(n) * Subs(Derivative(curve, (t, r)), t, 0), (r, 0, k))
+    assert prove(b[k], line, given={k: (0, n)}).status == "PROVED"
+    false = line.func(line.function, (r, -1, k))
+    assert by_algebra(statement(b[k], false, {k: (0, n)}), Budget(5)) is None
+    assert prove(b[k], false, given={k: (0, n)}).status == "REFUTED"
