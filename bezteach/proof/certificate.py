@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from sympy import Expr, Symbol
 
-from .terms import Term
+from .terms.terms import Term
 
 
 class Part(NamedTuple):

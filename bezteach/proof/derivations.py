@@ -14,7 +14,8 @@ from .budget import Budget
 from .certificate import Through
 from .engine import decided
 from .errors import InvalidStatement, OutOfTime
-from .evaluate import evaluator, expression
+from .exact.evaluate import evaluator, expression
+from .exact.refuter import Counterexample
 from .judgement import (
     CHECKED_ONLY,
     FOLLOWS,
@@ -30,10 +31,9 @@ from .judgement import (
     Judgement,
     Line,
 )
-from .linear import coefficients, least
 from .ranges import Integers, ends, ranges
-from .refuter import Counterexample
 from .statement import Statement, check_binders, check_kinds
+from .terms.linear import coefficients, least
 from .verdict import (
     ARGUED,
     CHECKED,

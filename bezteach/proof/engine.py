@@ -4,16 +4,16 @@ A prover is a function from a statement and a budget to a ``Proof`` or None. It 
 which is the same as None, and InvalidStatement.
 """
 
-from .algebra import by_algebra
 from .budget import Budget
+from .equations.algebra import by_algebra
+from .equations.induction import by_induction
+from .equations.wz import by_wz
 from .errors import InvalidStatement, OutOfTime, Unsupported
+from .exact.refuter import counterexample
 from .fixed import by_cases
-from .induction import by_induction
-from .refuter import counterexample
-from .signs import by_signs
+from .inequalities.signs import by_signs
 from .statement import statement
 from .verdict import INVALID, REFUTED, UNDECIDED, Proof, verdict_of
-from .wz import by_wz
 
 PROVERS = [by_algebra, by_wz, by_induction, by_signs, by_cases]
 PROVERS_SHARE = 0.6  # of the time left, so that one prover that finds nothing leaves some to the next

@@ -13,12 +13,12 @@ from bezteach.symbolic import Step
 
 from .certificate import ByCases
 from .errors import InvalidStatement, OutOfTime, Unsupported
-from .evaluate import evaluator
-from .polynomial import VARIABLE, atom, to_sympy
+from .exact.evaluate import evaluator
+from .exact.polynomial import VARIABLE, atom, to_sympy
+from .exact.refuter import counterexample_at, prober
+from .exact.walk import integer_points
 from .ranges import Integers
-from .refuter import counterexample_at, prober
 from .verdict import CHECKED, PROVED, REFUTED, Proof
-from .walk import integer_points
 
 MOST_CASES = 3_000
 HIGHEST = {1: 8, 2: 5}

@@ -7,7 +7,7 @@ from sympy import Expr
 
 from bezteach.symbolic import latex
 
-from .refuter import Counterexample
+from .exact.refuter import Counterexample
 from .verdict import ARGUED, CHECKED, INVALID, PROVED, REFUTED, UNDECIDED, Verdict, in_words, point_words, sides_words
 
 START = "start"

@@ -13,7 +13,7 @@ from sympy import Expr, Interval, S, Symbol, ceiling, floor, oo
 from bezteach.symbolic import E
 
 from .errors import InvalidStatement
-from .evaluate import evaluator, expression
+from .exact.evaluate import evaluator, expression
 from .uses import uses
 
 

@@ -7,7 +7,7 @@ import sympy as sp
 from bezteach.symbolic import E, latex
 
 from .errors import InvalidStatement
-from .evaluate import evaluator, expression
+from .exact.evaluate import evaluator, expression
 from .ranges import ranges
 
 RELATIONS = {sp.Eq: "=", sp.Ge: ">=", sp.Gt: ">", sp.Le: "<=", sp.Lt: "<"}

@@ -6,8 +6,8 @@ from typing import NamedTuple
 from bezteach.symbolic import Step, latex
 
 from .errors import Undefined
-from .polynomial import to_sympy
-from .refuter import Counterexample
+from .exact.polynomial import to_sympy
+from .exact.refuter import Counterexample
 from .statement import Statement
 
 PROVED, ARGUED, CHECKED = "PROVED", "ARGUED", "CHECKED"
@@ -54,7 +54,7 @@ class Verdict:
         ...
         bezteach.proof.errors.ReplayFailed: only a PROVED verdict can be replayed, and this one is REFUTED
         """
-        from .replay import replay
+        from .replaying.replay import replay
 
         replay(self)
 

@@ -5,7 +5,7 @@ from proof_claims import CLAIMS, given, mutants
 from sympy import Derivative, Rational, Subs, Sum, binomial, factorial, nan, oo, symbols, zoo
 
 from bezteach.proof import Budget, InvalidStatement, counterexample, prove, statement
-from bezteach.proof.algebra import by_algebra
+from bezteach.proof.equations.algebra import by_algebra
 from bezteach.symbolic import B, E, b, i, j, k, n, r, step, t
 
 

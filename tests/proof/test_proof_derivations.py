@@ -26,7 +26,7 @@ from sympy import (
 
 from bezteach.proof import ARGUED, CHECKED, INVALID, PROVED, REFUTED, UNDECIDED, counterexample, derivations, statement
 from bezteach.proof.derivations import Judgement, check_derivation
-from bezteach.proof.refuter import Counterexample
+from bezteach.proof.exact.refuter import Counterexample
 from bezteach.proof.verdict import Proof
 from bezteach.symbolic import B, E, b, i, j, k, n, r, step, t, u
 

@@ -41,7 +41,7 @@ from sympy import (
 from sympy import E as EULER
 
 from bezteach.proof import Budget, InvalidStatement, OutOfTime, Undefined, Unsupported, evaluate, evaluator
-from bezteach.proof.polynomial import Polynomial, to_sympy
+from bezteach.proof.exact.polynomial import Polynomial, to_sympy
 from bezteach.symbolic import B, E, apply, b, i, j, k, n, step, t, u
 
 x, y = IndexedBase("x"), IndexedBase("y")

@@ -4,8 +4,8 @@ import pytest
 from sympy import Rational, Sum, oo
 
 from bezteach.proof import Budget, counterexample, prove, statement
-from bezteach.proof.induction import by_induction
-from bezteach.proof.linear import least
+from bezteach.proof.equations.induction import by_induction
+from bezteach.proof.terms.linear import least
 from bezteach.symbolic import i, j, k, n, t
 
 

@@ -23,7 +23,7 @@ from sympy import (
 )
 
 from bezteach.proof import INVALID, REFUTED, Budget, Undefined, counterexample, prove, statement
-from bezteach.proof.walk import integer_points, real_points
+from bezteach.proof.exact.walk import integer_points, real_points
 from bezteach.symbolic import B, E, b, i, j, k, n, r, step, t, u
 
 c = Symbol("c", real=True)

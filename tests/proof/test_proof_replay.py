@@ -23,11 +23,11 @@ from bezteach.proof.certificate import (
     Part,
     TermsCase,
 )
-from bezteach.proof.cover import check_covered
 from bezteach.proof.errors import ReplayFailed
 from bezteach.proof.fixed import by_cases
-from bezteach.proof.replay import check_certificate, replay_proof
-from bezteach.proof.signs import by_signs
+from bezteach.proof.inequalities.signs import by_signs
+from bezteach.proof.replaying.cover import check_covered
+from bezteach.proof.replaying.replay import check_certificate, replay_proof
 from bezteach.proof.verdict import Proof, verdict_of
 from bezteach.symbolic import B, Step, b, i, j, k, n, r, step, t, u
 

@@ -26,9 +26,9 @@ from sympy import (
 )
 
 from bezteach.proof import Budget, InvalidStatement, Undefined, Unsupported, counterexample, evaluate, statement
-from bezteach.proof.sign_of import Region, signs
-from bezteach.proof.sign_sets import ANY
-from bezteach.proof.signs import by_signs
+from bezteach.proof.inequalities.sign_of import Region, signs
+from bezteach.proof.inequalities.sign_sets import ANY
+from bezteach.proof.inequalities.signs import by_signs
 from bezteach.symbolic import B, i, j, k, n, t, u
 
 UNIT, OPEN, LINE = Interval(0, 1), Interval.open(0, 1), Interval(-oo, oo)

@@ -22,14 +22,14 @@ from sympy import (
 )
 
 from bezteach.proof import Budget, InvalidStatement, counterexample, evaluate, prove, statement
-from bezteach.proof.algebra import by_algebra
-from bezteach.proof.defined import check_defined
-from bezteach.proof.differences import difference
-from bezteach.proof.exchange import exchanged
-from bezteach.proof.induction import by_induction
-from bezteach.proof.linear import least
-from bezteach.proof.normal import POINT, Edge, normal
-from bezteach.proof.terms import Failure, written
+from bezteach.proof.equations.algebra import by_algebra
+from bezteach.proof.equations.induction import by_induction
+from bezteach.proof.terms.defined import check_defined
+from bezteach.proof.terms.differences import difference
+from bezteach.proof.terms.exchange import exchanged
+from bezteach.proof.terms.linear import least
+from bezteach.proof.terms.normal import POINT, Edge, normal
+from bezteach.proof.terms.terms import Failure, written
 from bezteach.symbolic import B, E, b, i, j, k, n, r, t, u
 
 ALL = CLAIMS | DIVIDED

@@ -7,13 +7,13 @@ from proof_claims import m, mutants
 from sympy import Eq, Function, Integer, Rational, Sum, Symbol, binomial, factorial, oo
 
 from bezteach.proof import Budget, InvalidStatement, OutOfTime, counterexample, prove, statement
-from bezteach.proof.absorbing import absorbed
 from bezteach.proof.certificate import ByTelescoping, Lemma
+from bezteach.proof.equations.absorbing import absorbed
+from bezteach.proof.equations.gosper import antidifference
+from bezteach.proof.equations.wz import by_wz
 from bezteach.proof.errors import ReplayFailed
-from bezteach.proof.gosper import antidifference
-from bezteach.proof.replay import check_certificate
-from bezteach.proof.terms import Failure
-from bezteach.proof.wz import by_wz
+from bezteach.proof.replaying.replay import check_certificate
+from bezteach.proof.terms.terms import Failure
 from bezteach.symbolic import B, i, j, k, n, r, t
 
 C = binomial

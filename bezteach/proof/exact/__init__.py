@@ -1,0 +1,1 @@
+"""The exact evaluator and the refuter: the judge of the provers, which shares nothing with them."""

@@ -1,0 +1,1 @@
+"""Provers of inequalities for every n: signs, bounds, peaks, growth."""

@@ -1,0 +1,163 @@
+"""Which signs can a rational function of integers and reals have in a region?
+
+What is known of an integer form comes from ``linear.least``, of a polynomial in one real symbol from counting its
+roots, of any other polynomial from its Bernstein coefficients, or from what the conditions of the region say is >= 0.
+"""
+
+from itertools import combinations
+from math import comb
+
+from sympy import (
+    Add,
+    Dummy,
+    Matrix,
+    Mul,
+    Poly,
+    Pow,
+    Rational,
+    S,
+    Symbol,
+    expand,
+    fraction,
+    oo,
+    together,
+)
+
+from ..terms.linear import coefficients
+from .sign_sets import ANY, NOT_NEGATIVE, POSITIVE, ZERO, product, total
+
+HIGHEST, MOST_SYMBOLS_TIMES_DEGREE, MOST_REALS = 40, 24, 2
+
+
+def is_rational(expr):
+    """Whether it is a rational function of its symbols, small enough to be taken apart."""
+    degree, count = _degree(expr), len(expr.free_symbols)
+    return degree is not None and (degree <= HIGHEST if count < 2 else degree * count <= MOST_SYMBOLS_TIMES_DEGREE)
+
+
+def _degree(expr):
+    if isinstance(expr, Symbol | Rational):
+        return int(expr.is_Symbol)
+    if isinstance(expr, Pow):
+        base, exponent = expr.as_base_exp()
+        degree = _degree(base) if exponent.is_Integer else None
+        return None if degree is None else degree * abs(int(exponent))
+    if not isinstance(expr, Add | Mul):
+        return None
+    degrees = [_degree(part) for part in expr.args]
+    return None if None in degrees else sum(degrees) if expr.is_Mul else max(degrees)
+
+
+def of_rational(expr, region):
+    if not expr.free_symbols <= region.whole | region.reals.keys():
+        return ANY
+    numerator, denominator = fraction(together(expr))
+    below = _of_polynomial(denominator, region)
+    return ANY if 0 in below else product(_of_polynomial(numerator, region), below)
+
+
+def _of_polynomial(expr, region):
+    expr = expand(expr)
+    if expr.is_Rational:
+        return frozenset({(expr.p > 0) - (expr.p < 0)})
+    content, factors = Poly(expr, *sorted(expr.free_symbols, key=str), domain="QQ").factor_list()
+    found = [_of_polynomial(content, region)]
+    for factor, times in factors:
+        once = _of_irreducible(factor.exclude().clear_denoms()[1], region)
+        found.append(frozenset(sign**times for sign in once))
+    return product(*found)
+
+
+def _of_irreducible(poly, region):
+    expr, reals = poly.as_expr(), [symbol for symbol in poly.gens if symbol in region.reals]
+    if not reals:
+        return of_form(expr, region) if poly.total_degree() == 1 else _by_slack(expr, region)
+    if len(poly.gens) == 1:
+        return _by_roots(poly, region.reals[poly.gen])
+    result = ANY
+    for symbol in sorted(reals, key=poly.degree)[:MOST_REALS]:
+        result &= _by_bernstein_coefficients(poly, symbol, region)
+    return result
+
+
+def of_form(form, region):
+    """An integer form: each sign that the conditions do not exclude."""
+    not_zero = region.holds(form - 1) or region.holds(-form - 1)
+    excluded = {-1: region.holds(form), 0: not_zero, 1: region.holds(-form)}
+    return frozenset(sign for sign in ANY if not excluded[sign])
+
+
+def _by_roots(poly, interval):
+    """An irreducible polynomial turns its sign at each root, and has no rational one unless it is linear."""
+    low, high = interval.start, interval.end
+    if low == high:
+        return _of_polynomial(poly.eval(low), None)
+    if poly.degree() == 1:
+        root = -poly.nth(0) / poly.nth(1)
+        turns, zero = low < root < high, root in interval
+    else:
+        turns = zero = poly.count_roots(*(None if end.is_infinite else end for end in (low, high))) > 0
+    if turns:
+        return ANY
+    inner = (
+        S.Zero if (low, high) == (-oo, oo) else high - 1 if low == -oo else low + 1 if high == oo else (low + high) / 2
+    )
+    return _of_polynomial(poly.eval(inner), None) | (ZERO if zero else frozenset())
+
+
+def _by_bernstein_coefficients(poly, symbol, region):
+    """On [a, b] the polynomial is the sum of its coefficients times B's; on [a, oo) of others times powers of t - a."""
+    interval, expr, s = region.reals[symbol], poly.as_expr(), Dummy("s")
+    low, high = interval.start, interval.end
+    if low == high:
+        return _of_polynomial(expr.subs(symbol, low), region)
+
+    def along(path):
+        return Poly(expr.subs(symbol, path), s).all_coeffs()[::-1]
+
+    if low.is_finite and high.is_finite:
+        powers = along(low + (high - low) * s)
+        degree = len(powers) - 1
+        weights = [
+            Add(*[Rational(comb(place, k), comb(degree, k)) * powers[k] for k in range(place + 1)])
+            for place in range(degree + 1)
+        ]
+        found = _unless_any(weights, region)
+        at_ends = ([] if interval.left_open else [found[0]]) + ([] if interval.right_open else [found[-1]])
+        return total(found).union(*at_ends)
+    result = frozenset()
+    start = low if low.is_finite else high if high.is_finite else S.Zero
+    for direction in (1, -1):
+        if (high if direction == 1 else low).is_infinite:
+            found = _unless_any(along(start + direction * s), region)
+            result |= total(found) | (found[0] if start in interval else frozenset())
+    return result
+
+
+def _unless_any(polynomials, region):
+    """The signs of each; no more of them once their sum may have any sign."""
+    found = []
+    for polynomial in polynomials:
+        found.append(_of_polynomial(polynomial, region))
+        if total(found) == ANY:
+            return [ANY]
+    return found
+
+
+def _by_slack(expr, region):
+    """An integer polynomial in what some of the conditions say is >= 0: all its coefficients may have one sign."""
+    symbols, result = sorted(expr.free_symbols, key=str), ANY
+    rows = [form for form in map(coefficients, region.conditions) if form and {s for s in form if s != 1} <= {*symbols}]
+    for chosen in combinations(rows, len(symbols)):
+        matrix = Matrix([[row.get(symbol, 0) for symbol in symbols] for row in chosen])
+        if matrix.det() == 0:
+            continue
+        slack = [Dummy() for _ in symbols]
+        values = matrix.LUsolve(Matrix([s - row[S.One] for s, row in zip(slack, chosen, strict=True)]))
+        poly = Poly(expr.subs(dict(zip(symbols, values, strict=True)), simultaneous=True), *slack)
+        constant = poly.nth(*[0] * len(slack))
+        if all(c >= 0 for c in poly.coeffs()):
+            result &= POSITIVE if constant > 0 else NOT_NEGATIVE
+        if all(c <= 0 for c in poly.coeffs()):
+            result &= frozenset({-1} if constant < 0 else {-1, 0})
+    return result

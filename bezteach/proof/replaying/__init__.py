@@ -1,0 +1,1 @@
+"""Proofs checked again from their certificates, without the search that found them."""

@@ -1,0 +1,115 @@
+"""Is every part of an expression defined wherever the conditions hold? A prover must know before it drops a term.
+
+0 times an undefined number is undefined, so a proof that leaves out a vanishing binomial coefficient, or cancels a
+factor, is good only where everything beside it has a value.
+"""
+
+from sympy import Derivative, Indexed, Integral, Interval, KroneckerDelta, Pow, Subs, Sum, binomial, factorial, oo
+
+from bezteach.symbolic import B, E
+
+from ..inequalities.sign_of import Region, signs
+from .linear import coefficients, least
+from .terms import Failure
+
+
+def check_defined(expr, conditions, ranges=None):
+    """Return if every part has a value for all integers that the conditions allow and all reals, else ``Failure``.
+
+    What divides may hold real symbols if their ranges are given: a dict {symbol: Interval}, where others are passed by.
+
+    >>> from bezteach.symbolic import i, n, t
+    >>> check_defined(B(i, n - 1, t) / n, [n - 1])
+    >>> check_defined(1 / (1 - t), [], {t: Interval.open(0, 1)})
+    >>> check_defined(t ** (i - 1), [i])
+    Traceback (most recent call last):
+    ...
+    bezteach.proof.terms.terms.Failure: t**(i - 1) has a negative exponent somewhere
+    """
+    _check(expr, list(conditions), _reals(ranges or {}))
+
+
+def _reals(ranges):
+    """The intervals of the real symbols; an end that is no rational number is left out."""
+    found = {}
+    for symbol, values in ranges.items():
+        if isinstance(values, Interval):
+            low = values.start if values.start.is_Rational else -oo
+            high = values.end if values.end.is_Rational else oo
+            found[symbol] = Interval(low, high, values.left_open, values.right_open)
+    return found
+
+
+def _check(expr, conditions, reals):
+    if isinstance(expr, Sum):
+        for index, low, high in expr.limits[::-1]:
+            _check_whole(expr, low, high)
+            conditions = [*conditions, index - low, high - index]
+        _check(expr.function, conditions, reals)
+        return
+    if isinstance(expr, Indexed):
+        _check_whole(expr, *expr.indices)
+        return
+    if isinstance(expr, Pow):
+        _check_power(expr, conditions, reals)
+    elif isinstance(expr, B):
+        _check_whole(expr, *expr.args[:2])
+        _check_not_negative(expr, expr.args[1], conditions)
+    elif isinstance(expr, binomial | factorial):
+        _check_whole(expr, *expr.args)
+        _check_not_negative(expr, expr.args[0], conditions)
+    elif isinstance(expr, KroneckerDelta):
+        _check_whole(expr, *expr.args[:2])
+    elif isinstance(expr, Derivative):
+        for _, order in expr.variable_count:
+            _check_whole(expr, order)
+            _check_not_negative(expr, order, conditions)
+    bodies, bound = _bodies(expr)
+    reals = {symbol: values for symbol, values in reals.items() if symbol not in bound}
+    for part in bodies:
+        _check(part, conditions, reals)
+
+
+def _bodies(expr):
+    """The parts that must have a value, without variables, limits and points; and the real symbols bound in them."""
+    if isinstance(expr, Derivative):
+        return (expr.expr,), {symbol for symbol, _ in expr.variable_count}
+    if isinstance(expr, Subs):
+        return (expr.expr,), set(expr.variables)
+    if isinstance(expr, Integral):
+        return (expr.function,), set(expr.variables)
+    return expr.args, set()
+
+
+def _check_whole(expr, *forms):
+    for form in forms:
+        found = coefficients(form)
+        if found is None or not all(c.is_Integer for c in found.values()):
+            raise Failure(f"{form} in {expr} is not known to be a whole number")
+
+
+def _check_not_negative(expr, form, conditions):
+    if least(form, conditions) < 0:
+        raise Failure(f"{expr} is not defined where {form} is negative")
+
+
+def _check_power(expr, conditions, reals):
+    base, exponent = expr.as_base_exp()
+    _check_whole(expr, exponent)
+    if base == E or least(exponent, conditions) >= 0 or _never_zero(base, conditions, reals):
+        return
+    if exponent.is_Integer:
+        raise Failure(f"{base} may be 0, and something is divided by it")
+    raise Failure(f"{expr} has a negative exponent somewhere")
+
+
+def _never_zero(base, conditions, reals):
+    if base.is_number:
+        return base.is_nonzero
+    if isinstance(base, binomial):
+        top, bottom = base.args
+        return least(bottom, conditions) >= 0 and least(top - bottom, conditions) >= 0
+    if isinstance(base, factorial) or least(base - 1, conditions) >= 0 or least(-base - 1, conditions) >= 0:
+        return True
+    whole = frozenset().union(*(condition.free_symbols for condition in conditions)) - reals.keys()
+    return bool(reals) and 0 not in signs(base, Region(whole, tuple(conditions), reals))
