@@ -6,6 +6,7 @@ from typing import NamedTuple
 from sympy.core.relational import Relational
 
 from bezteach.proof import ARGUED, PROVED, REFUTED, UNDECIDED, Judgement, Verdict, check_derivation, prove
+from bezteach.proof.ranges import about
 
 from .claim import Argument, Chain, Claim, Computed, Known, Shown, flat
 
@@ -64,22 +65,9 @@ def statement_verdict(statement, given):
     """The verdict on a relation or a chain; ranges of symbols that do not occur in it are left out."""
     if isinstance(statement, Chain):
         lines = tuple(map(flat, statement.lines))
-        return check_derivation(lines, given=_about(lines, given))
+        return check_derivation(lines, given=about(lines, given))
     relation = statement.func(flat(statement.lhs), flat(statement.rhs), evaluate=False)
-    return prove(relation, given=_about((relation,), given), budget=BUDGET)
-
-
-def _about(expressions, given):
-    """What is given of the symbols that occur, and of those that their ranges hold."""
-    names = set().union(*(expression.free_symbols for expression in expressions))
-    while more := {name for s in names & set(given) for name in _names(given[s])} - names:
-        names |= more
-    return {symbol: values for symbol, values in given.items() if symbol in names}
-
-
-def _names(values):
-    parts = values if isinstance(values, tuple) else values.args
-    return set().union(*(getattr(part, "free_symbols", set()) for part in parts))
+    return prove(relation, given=about((relation,), given), budget=BUDGET)
 
 
 def argument_verdict(argument, known):

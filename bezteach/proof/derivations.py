@@ -31,7 +31,7 @@ from .judgement import (
     Judgement,
     Line,
 )
-from .ranges import Integers, ends, ranges
+from .ranges import Integers, about, ends, ranges
 from .statement import Statement, check_binders, check_kinds
 from .terms.linear import coefficients, least
 from .verdict import (
@@ -89,7 +89,7 @@ def _understood(lines, given):
         except InvalidStatement as error:
             faults[number] = str(error)
     chain = list(accepted.values())
-    found = ranges(chain, _about(chain, given) if faults or len(chain) < 2 else given)
+    found = ranges(chain, about(chain, given) if faults or len(chain) < 2 else given)
     for line in chain:
         check_binders(line, found)
     return accepted, faults, found
@@ -107,21 +107,6 @@ def _check_line(line, others):
         raise InvalidStatement("the expression is nested too deeply") from None
     for other in others:
         check_kinds(other, "=", chain[-1])
-
-
-def _about(chain, given):
-    """What is given of the symbols that occur, and of those that their ranges hold."""
-    if not isinstance(given, dict):
-        return given
-    names = set().union(*(line.free_symbols for line in chain))
-    while more := {name for symbol in names & set(given) for name in _names(given[symbol])} - names:
-        names |= more
-    return {symbol: wanted for symbol, wanted in given.items() if symbol in names}
-
-
-def _names(wanted):
-    parts = wanted if isinstance(wanted, tuple) else getattr(wanted, "args", ())
-    return set().union(*(getattr(part, "free_symbols", ()) for part in parts))
 
 
 def _verdicts(chain, numbers, found, clock):

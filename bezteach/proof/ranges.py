@@ -46,6 +46,26 @@ def ranges(expressions, given):
     return _in_order({symbol: _settled(symbol, symbol in integers, given.get(symbol)) for symbol in free})
 
 
+def about(expressions, given):
+    """What is given of the symbols that occur in the expressions, and of those that their ranges hold.
+
+    >>> from bezteach.symbolic import i, n, t
+    >>> about([i + t], {n: (1, oo), i: (0, n), t: Interval(0, 1)}) == {n: (1, oo), i: (0, n), t: Interval(0, 1)}
+    True
+    """
+    if not isinstance(given, dict):
+        return given
+    names = set().union(*(expression.free_symbols for expression in expressions))
+    while more := {name for symbol in names & set(given) for name in _names(given[symbol])} - names:
+        names |= more
+    return {symbol: wanted for symbol, wanted in given.items() if symbol in names}
+
+
+def _names(wanted):
+    parts = wanted if isinstance(wanted, tuple) else getattr(wanted, "args", ())
+    return set().union(*(getattr(part, "free_symbols", ()) for part in parts))
+
+
 def _range(symbol, wanted):
     if not isinstance(symbol, Symbol):
         raise InvalidStatement(f"a range is given for {symbol!r}, which is not a symbol")

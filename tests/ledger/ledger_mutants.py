@@ -14,9 +14,9 @@ from sympy.core.relational import Relational
 
 from bezteach import ledger
 from bezteach.ledger.claim import Chain, eq, flat
-from bezteach.ledger.judging import _about
 from bezteach.proof import Budget, InvalidStatement, OutOfTime, Unsupported, counterexample, statement
 from bezteach.proof.engine import PROVERS
+from bezteach.proof.ranges import about
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "proof"))
 from proof_claims import mutants  # noqa: E402
@@ -36,7 +36,7 @@ def mutants_of(claim):
         left, right = flat(relation.lhs), flat(relation.rhs)
         for lhs, rhs in [(one, right) for one in mutants(left)] + [(left, other) for other in mutants(right)]:
             mutant = relation.func(lhs, rhs, evaluate=False)
-            yield mutant, _about((mutant,), claim.given)
+            yield mutant, about((mutant,), claim.given)
 
 
 def judged(mutant, given, seconds=1.0):
