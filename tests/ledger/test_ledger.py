@@ -4,16 +4,17 @@ import re
 from pathlib import Path
 
 import pytest
-from sympy import Integer, Sum
+from sympy import Integer, Sum, oo
 
 from bezteach import ledger
 from bezteach.ledger.claim import Argument, Computed, Known, Shown, argued, claim, eq, statement_latex
+from bezteach.ledger.claims.binomials import STEP
 from bezteach.ledger.errata import found
 from bezteach.ledger.judging import judged
 from bezteach.ledger.reading import amended, refuted, refuted_words
 from bezteach.ledger.report import claim_record, erratum_record
 from bezteach.ledger.summary import summary, written_into
-from bezteach.proof import Verdict
+from bezteach.proof import Verdict, prove
 from bezteach.symbolic import B, i, n, t
 
 ROWS = [(source, row) for source, rows in ledger.READINGS.items() for row in rows]
@@ -109,6 +110,11 @@ def test_an_argument_says_how_many_of_its_steps_are_checked():
     steps = ["words", Shown("an equation", eq(t + t, 2 * t)), Computed("a number", lambda: True)]
     result = judged(argued("x/y", "an argument", *steps), never)
     assert (result.status, result.method) == ("ARGUED", "2 of 3 steps checked, the others in words")
+
+
+def test_the_one_lemma_is_proved_without_itself():
+    """The binomial theorem's induction step is a quotient of terms, which closes no sum."""
+    assert prove(STEP, given={n: (1, oo), i: (1, n)}).method == "ratio of terms"
 
 
 def test_a_slip_that_is_none_does_not_stand():
