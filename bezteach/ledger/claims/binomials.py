@@ -50,8 +50,8 @@ CLAIMS = [
             STEP,
             {n: (1, oo), i: (1, n)},
         ),
-        "At i = 0 there is the second alone, y times C(n, 0) y^n, at i = n + 1 the first alone, x times C(n, n) x^n; and "
-        "C(n, 0) = C(n + 1, 0) = 1, C(n, n) = C(n + 1, n + 1) = 1.",
+        "At i = 0 there is the second alone, y times C(n, 0) y^n, at i = n + 1 the first alone, x times C(n, n) x^n; "
+        "and C(n, 0) = C(n + 1, 0) = 1, C(n, n) = C(n + 1, n + 1) = 1.",
         "These are all terms of the sum for n + 1; so that is (x + y)^(n+1).",
     ),
 ]
