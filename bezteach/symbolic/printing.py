@@ -96,6 +96,8 @@ def _power_of_e(term):
 
 def _complements(term):
     """How many factors of a term are 1 less something, as in (1 - t)^2 b_0 + 2 t (1 - t) b_1 + t^2 b_2."""
+    if term.could_extract_minus_sign():
+        return 0
     powers = [factor.as_base_exp() for factor in Mul.make_args(term)]
     heads = [(base.as_coeff_Add(), exponent) for base, exponent in powers if base.is_Add and exponent.is_Integer]
     return sum(int(exponent) for (one, rest), exponent in heads if one == 1 and rest.could_extract_minus_sign())
