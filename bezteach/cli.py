@@ -64,7 +64,7 @@ def run_test(arguments):
         raise Problem("the tests come with a checkout of the project, and this is an installed package: clone it")
     virtualenv.ready("test", arguments.all)
     command = [sys.executable, "-m", "bezteach.setup.testing", *arguments.rest]
-    return processes.become(command, processes.child_environment(root), cwd=root)
+    return processes.attend(command, processes.child_environment(root), root)
 
 
 def prove_arguments(parser):

@@ -70,8 +70,8 @@ def become(command, environment, cwd=None, windows=WINDOWS):
     """Go on as another command of ours, in our terminal; does not return.
 
     On POSIX this process becomes the other, so signals and the exit code are its own. A Ctrl-C while the other
-    interpreter starts would end in a traceback of Python's own, so it waits there for ``let_through``. Windows has no
-    such thing: the other runs as a child, and its exit code is passed through.
+    interpreter starts would end in a traceback of Python's own, so it waits. Windows has no such thing: the other runs
+    as a child, and its exit code is passed through.
     """
     command = [str(part) for part in command]
     sys.stdout.flush()
@@ -79,17 +79,46 @@ def become(command, environment, cwd=None, windows=WINDOWS):
         sys.exit(_attend(command, environment, cwd))
     if cwd is not None:
         os.chdir(cwd)
-    signal.pthread_sigmask(signal.SIG_BLOCK, ENDINGS)
-    try:
+    with waiting():
         os.execve(command[0], command, environment)
+
+
+@contextlib.contextmanager
+def waiting():
+    """Let Ctrl-C and the like wait, also in an interpreter that is started here, until it calls ``let_through``."""
+    if not WINDOWS:
+        signal.pthread_sigmask(signal.SIG_BLOCK, ENDINGS)
+    try:
+        yield
     finally:
         let_through()
 
 
 def let_through():
-    """Let Ctrl-C and the like come that ``become`` made wait; here they can be dealt with."""
+    """Let Ctrl-C and the like come that were made to wait; here they can be dealt with."""
     if not WINDOWS:
         signal.pthread_sigmask(signal.SIG_UNBLOCK, ENDINGS)
+
+
+def attend(command, environment, cwd):
+    """Run another command of ours until it ends, and return its exit code.
+
+    Ctrl-C is passed on to it alone, and is its to deal with: the processes that it has started do not each have
+    something to say about it.
+    """
+    if WINDOWS:
+        return _attend(command, environment, cwd)
+    with waiting():
+        process = start(command, env=environment, cwd=cwd)
+    try:
+        while True:
+            try:
+                return process.wait()
+            except KeyboardInterrupt:
+                process.send_signal(signal.SIGINT)
+    finally:
+        with held_back():
+            end(process)
 
 
 def _attend(command, environment, cwd):

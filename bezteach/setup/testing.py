@@ -1,4 +1,4 @@
-"""Entry of the interpreter that runs pytest: on all cores, and a Ctrl-C while it loads is one line too."""
+"""Entry of the interpreter that runs pytest: on all cores, and with Ctrl-C dealt with from its first moment on."""
 
 import sys
 
@@ -10,13 +10,14 @@ ON_ALL_CORES = ["-n", "auto", "--dist", "loadfile"]
 
 def main(arguments):
     """Run pytest with these arguments and return its exit code."""
-    try:
-        let_through()
-        import pytest
-    except KeyboardInterrupt:
-        print("bezteach: stopped", file=sys.stderr)
-        return 130
-    return pytest.main([*ON_ALL_CORES, *arguments])
+    import pytest
+
+    class Running:
+        @pytest.hookimpl(tryfirst=True)
+        def pytest_sessionstart(self):
+            let_through()  # before this, pytest would answer with a traceback
+
+    return pytest.main([*ON_ALL_CORES, *arguments], plugins=[Running()])
 
 
 if __name__ == "__main__":

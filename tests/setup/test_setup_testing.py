@@ -12,22 +12,59 @@ from bezteach.setup.requirements import PACKAGE
 posix = pytest.mark.skipif(os.name != "posix", reason="Windows knows neither exec nor these signals")
 
 
-def run(code):
+def run(code, *arguments):
     environment = processes.child_environment(PACKAGE.parent)
-    return subprocess.run([sys.executable, "-c", code], check=False, capture_output=True, text=True, env=environment)
+    command = [sys.executable, "-c", code, *arguments]
+    return subprocess.run(command, check=False, capture_output=True, text=True, env=environment)
+
+
+INTERRUPTED = """if True:
+    import os, signal, sys
+    from bezteach.setup import processes
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    os.kill(os.getpid(), signal.SIGINT)
+    processes.become([sys.executable, "-m", *sys.argv[1:]], dict(os.environ))
+"""
 
 
 @posix
-@pytest.mark.parametrize("module", ["bezteach", "bezteach.setup.testing"])
-def test_an_interruption_waits_for_the_next_interpreter(module):
-    done = run(f"""if True:
-        import os, signal, sys
-        from bezteach.setup import processes
-        signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
-        os.kill(os.getpid(), signal.SIGINT)
-        processes.become([sys.executable, "-m", {module!r}, "test", "--version"], dict(os.environ))
-    """)
+def test_an_interruption_waits_for_the_next_interpreter():
+    done = run(INTERRUPTED, "bezteach", "test", "--version")
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "bezteach: stopped\n")
+
+
+@posix
+def test_an_interruption_waits_until_pytest_can_deal_with_it(tmp_path):
+    (tmp_path / "pytest.ini").write_text("[pytest]\n")
+    done = run(INTERRUPTED, "bezteach.setup.testing", "-n0", "-c", str(tmp_path / "pytest.ini"), str(tmp_path))
+    assert done.returncode == pytest.ExitCode.INTERRUPTED
+    assert "! KeyboardInterrupt !" in done.stdout and "Traceback" not in done.stdout + done.stderr
+
+
+@posix
+def test_ctrl_c_is_passed_on_to_the_child_alone():
+    """Child and grandchild count what they get; the parent gets two interruptions, and the child's exit code."""
+    grandchild = "import signal, time; signal.signal(signal.SIGINT, lambda *_: print('grandchild')); time.sleep(0.4)"
+    child = f"""if True:
+        import signal, subprocess, sys
+        got = []
+        signal.signal(signal.SIGINT, lambda *_: got.append(1))
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
+        print("ready", flush=True)
+        subprocess.run([sys.executable, "-c", {grandchild!r}])
+        sys.exit(10 + len(got))
+    """
+    done = run(f"""if True:
+        import os, signal, sys, threading, time
+        from bezteach.setup import processes
+        def interrupt():
+            for _ in range(2):
+                time.sleep(0.2)
+                os.kill(os.getpid(), signal.SIGINT)
+        threading.Thread(target=interrupt).start()
+        sys.exit(processes.attend([sys.executable, "-c", {child!r}], dict(os.environ), "."))
+    """)
+    assert done.returncode in (11, 12) and done.stdout == "ready\n", done.stderr
 
 
 @posix
