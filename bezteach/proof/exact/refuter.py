@@ -49,7 +49,7 @@ class Search(NamedTuple):
     complete: bool = True
 
     def __repr__(self):
-        words = f"{self.checked} points checked"
+        words = f"{self.checked} point{'s' * (self.checked != 1)} checked"
         words += f", {self.skipped} passed over ({self.reason})" if self.skipped else ""
         return words + ("" if self.complete else ", out of time")
 
