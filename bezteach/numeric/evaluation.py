@@ -2,11 +2,12 @@
 
 from fractions import Fraction
 from functools import lru_cache
-from math import hypot, inf
+from math import isfinite
 
 import numpy as np
 
 from bezteach.numeric.arrays import (
+    FEW,
     FLOAT,
     control_points,
     drop,
@@ -69,8 +70,8 @@ def sample(points, m):
     """
     # a picture's few hundred points cost little more than their checks, so these come first in their shortest form
     if type(points) is np.ndarray and points.dtype is FLOAT and points.ndim == 2 and type(m) is int and m > 1:
-        few = points.size <= 32
-        if 0 < m * points.size <= CACHED and (hypot(*points.ravel().tolist()) < inf if few else is_finite(points)):
+        few = points.size <= FEW
+        if 0 < m * points.size <= CACHED and (isfinite(sum(points.ravel().tolist())) if few else is_finite(points)):
             return uniform_basis(len(points) - 1, m).dot(points)
     points, flat = control_points(points)
     m = whole(m, "count m", 2)
