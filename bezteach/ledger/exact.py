@@ -11,6 +11,8 @@ from math import comb
 from sympy import Poly, Rational
 from sympy.abc import t
 
+from .planar import levels
+
 
 def bernstein(j, n, at):
     """B_{j,n} at a number.
@@ -27,9 +29,7 @@ def curve_point(points, at):
     >>> curve_point([(0, 0), (1, 1), (2, 0)], Fraction(1, 2))
     (Fraction(1, 1), Fraction(1, 2))
     """
-    while len(points) > 1:
-        points = [tuple((1 - at) * a + at * b for a, b in zip(p, q, strict=True)) for p, q in pairwise(points)]
-    return points[0]
+    return levels(points, at)[-1][0]
 
 
 def along_curve(values):

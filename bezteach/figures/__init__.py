@@ -1,0 +1,11 @@
+"""The lessons' pictures: data in, a matplotlib ``Figure`` out, whose label is its alternative text.
+
+Every picture reads on a projector and in greyscale: what a colour tells, a dash or a marker tells too. Points are rows
+of two numbers, exact or not. ``show`` puts a figure into a notebook as PNG and SVG, the same bytes from run to run.
+"""
+
+from .curves import halving, segment, split, triangle
+from .functions import basis, decay, graphs, stacked
+from .style import show
+
+__all__ = ["basis", "decay", "graphs", "halving", "segment", "show", "split", "stacked", "triangle"]
