@@ -5,24 +5,16 @@ that a line brings in alone must cancel, since the line has to hold for all its 
 does not fit the lines above it, is left out, and the next one is judged against the last line that means something.
 """
 
-from collections import Counter
-from dataclasses import replace
-
-from sympy import Add, Mul, oo
-
 from .budget import Budget
-from .certificate import Through
-from .engine import decided
-from .errors import InvalidStatement, OutOfTime
+from .chains import chain_verdicts, form
+from .errors import InvalidStatement
 from .exact.evaluate import evaluator, expression
-from .exact.refuter import Counterexample
 from .judgement import (
     CHECKED_ONLY,
     FOLLOWS,
     HOLDS,
     MEANINGLESS,
     NO_PROGRESS,
-    NOT_SETTLED,
     OPEN,
     RIGHT_AGAIN,
     START,
@@ -31,9 +23,8 @@ from .judgement import (
     Judgement,
     Line,
 )
-from .ranges import Integers, about, ends, ranges
-from .statement import Statement, check_binders, check_kinds
-from .terms.linear import coefficients, least
+from .ranges import about, ranges
+from .statement import check_binders, check_kinds
 from .verdict import (
     ARGUED,
     CHECKED,
@@ -41,9 +32,6 @@ from .verdict import (
     PROVED,
     REFUTED,
     UNDECIDED,
-    Proof,
-    Verdict,
-    verdict_of,
 )
 
 
@@ -65,9 +53,7 @@ def check_derivation(lines, *, given=None, budget=20.0):
         untold = tuple(Line(number, line, OPEN) for number, line in enumerate(lines, 1))
         return Judgement(INVALID, untold, seconds=clock.spent, note=str(error))
     numbers, chain = list(accepted), list(accepted.values())
-    verdicts = _verdicts(chain, numbers, found, clock)
-    while any([_complete(verdicts, place, numbers) for place in range(2, len(chain))]):
-        pass
+    verdicts = chain_verdicts(chain, numbers, found, clock)
     judged = {number: _line(place, numbers, chain, verdicts, found) for place, number in enumerate(numbers)}
     judged |= {number: Line(number, lines[number - 1], MEANINGLESS, note=why) for number, why in faults.items()}
     judged = tuple(judged[number] for number in sorted(judged))
@@ -109,125 +95,15 @@ def _check_line(line, others):
         check_kinds(other, "=", chain[-1])
 
 
-def _verdicts(chain, numbers, found, clock):
-    """The verdict on the equality of any two lines next to each other, and of any one with the first, by their places.
-
-    What follows from the verdicts before needs no time; any other gets an equal part of what is left of the budget.
-    """
-    verdicts = {}
-
-    def judge(one, other, left):
-        claim = _claim(chain[one], chain[other], found)
-        verdicts[one, other] = _judged(claim, clock.part(1 / left))
-
-    for place in range(1, len(chain)):
-        left = 2 * (len(chain) - place)
-        judge(place - 1, place, left)
-        if place == 1:
-            continue
-        if _form(chain[place]) == _form(chain[place - 1]):
-            verdicts[0, place] = verdicts[0, place - 1]
-            continue
-        verdicts[0, place] = Verdict(UNDECIDED, statement=_claim(chain[0], chain[place], found))
-        if not _complete(verdicts, place, numbers):
-            judge(0, place, left - 1)
-    return verdicts
-
-
-def _judged(claim, clock):
-    try:
-        clock.spend()
-        proof = decided(claim, clock)
-    except OutOfTime:
-        proof = Proof(UNDECIDED, "", note="out of time")
-    except InvalidStatement as error:
-        proof = Proof(INVALID, "", note=str(error))
-    except RecursionError:
-        proof = Proof(INVALID, "", note="the expression is nested too deeply")
-    return verdict_of(proof, claim, clock.spent)
-
-
-def _claim(left, right, found):
-    """That two lines are equal, with the ranges of their symbols.
-
-    A symbol that is in neither line stays if it may leave other symbols without a value: where i goes from 1 to n - 1,
-    nothing is said of n = 1, in lines without i neither.
-    """
-    wanted, kept = left.free_symbols | right.free_symbols, set()
-    for place, (symbol, values) in reversed(list(enumerate(found.items()))):
-        if symbol in wanted or not _has_values(values, list(found.items())[:place]):
-            kept.add(symbol)
-            wanted |= set().union(*(end.free_symbols for end in ends(values)))
-    return Statement(left, "=", right, {symbol: values for symbol, values in found.items() if symbol in kept})
-
-
-def _has_values(values, before):
-    """Whether a range is known to hold a value, whatever the symbols before it are."""
-    low, high = ends(values)
-    if low is -oo or high is oo or (low.is_number and high.is_number):
-        return True
-    if not isinstance(values, Integers) or not all(c.is_Integer for c in (coefficients(low) or {low: oo}).values()):
-        return False
-    conditions = []
-    for symbol, other in before:
-        if isinstance(other, Integers):
-            conditions += [symbol - other.low] * (other.low is not -oo) + [other.high - symbol] * (other.high is not oo)
-    return least(high - low, conditions) >= 0
-
-
-def _form(expr):
-    """The same for expressions that differ in nothing but the order of their terms and factors."""
-    if not expr.args:
-        return None, expr
-    if not isinstance(expr, Add | Mul) or not expr.is_commutative:
-        return expr.func, tuple(map(_form, expr.args))
-    return expr.func, frozenset(Counter(map(_form, _flat(expr, expr.func))).items())
-
-
-def _flat(expr, kind):
-    for part in expr.args:
-        yield from _flat(part, kind) if isinstance(part, kind) else (part,)
-
-
-def _complete(verdicts, place, numbers):
-    """Of three lines, two equalities settle the third: fill in what was left open, and say whether there was any."""
-    triangle = ((0, place - 1), (place - 1, place), (0, place))
-    for key in triangle:
-        if verdicts[key].status in NOT_SETTLED:
-            news = _from_others([verdicts[pair] for pair in triangle if pair != key], turned=verdicts[0, place])
-            if news is not None:
-                (between,) = {0, place - 1, place} - set(key)
-                how = {"method": f"through line {numbers[between]}", "note": "", "steps": (), "certificate": None}
-                verdicts[key] = replace(verdicts[key], **how | news)
-                return True
-    return False
-
-
-def _from_others(others, turned):
-    """What two sides of a triangle of equalities make of the third; if ``turned`` is the one that holds, the sides of
-    the counterexample are exchanged.
-    """
-    holding = [verdict for verdict in others if verdict.status in HOLDS]
-    failing = [verdict for verdict in others if verdict.status == REFUTED]
-    if len(holding) == 2:
-        status = ARGUED if ARGUED in (verdict.status for verdict in holding) else PROVED
-        return {"status": status, "certificate": Through(tuple(holding))}
-    if not holding or not failing:
-        return None
-    values, left, right = failing[0].counterexample
-    left, right = (right, left) if holding[0] is turned else (left, right)
-    return {"status": REFUTED, "counterexample": Counterexample(values, left, right)}
-
-
 def _line(place, numbers, chain, verdicts, found):
     number, line = numbers[place], chain[place]
     if place == 0:
         return Line(number, line, START)
     before, first = numbers[place - 1], numbers[0]
     step, whole = verdicts[place - 1, place], verdicts[0, place]
-    returns = _form(line) == _form(chain[0])
+    returns = form(line) == form(chain[0])
     remark = _remark(step, whole, place > 1 and verdicts[0, place - 1].status == REFUTED)
-    if remark != MEANINGLESS and _form(line) == _form(chain[place - 1]):
+    if remark != MEANINGLESS and form(line) == form(chain[place - 1]):
         remark = NO_PROGRESS
     elif remark == OPEN and step.status == REFUTED and returns:
         remark = RIGHT_AGAIN
