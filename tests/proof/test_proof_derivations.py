@@ -24,7 +24,7 @@ from sympy import (
     oo,
 )
 
-from bezteach.proof import ARGUED, CHECKED, INVALID, PROVED, REFUTED, UNDECIDED, counterexample, derivations, statement
+from bezteach.proof import ARGUED, CHECKED, INVALID, PROVED, REFUTED, UNDECIDED, chains, counterexample, statement
 from bezteach.proof.derivations import Judgement, check_derivation
 from bezteach.proof.exact.refuter import Counterexample
 from bezteach.proof.verdict import Proof
@@ -289,7 +289,7 @@ def test_what_is_checked_for_some_degrees_is_never_more_than_checked():
 
 def stub(monkeypatch, decide):
     """Let the engine say what ``decide`` says of two lines, which are the numbers of places."""
-    monkeypatch.setattr(derivations, "decided", lambda claim, clock: decide(claim))
+    monkeypatch.setattr(chains, "decided", lambda claim, clock: decide(claim))
 
 
 def decided(table):
