@@ -2,11 +2,26 @@
 
 import pytest
 from proof_claims import CLAIMS, given, mutants
-from sympy import Derivative, Rational, Subs, Sum, binomial, factorial, nan, oo, symbols, zoo
+from sympy import (
+    Derivative,
+    Interval,
+    Mul,
+    Rational,
+    Subs,
+    Sum,
+    Symbol,
+    binomial,
+    factorial,
+    nan,
+    oo,
+    symbols,
+    zoo,
+)
 
 from bezteach.proof import Budget, InvalidStatement, counterexample, prove, statement
 from bezteach.proof.equations.algebra import by_algebra
-from bezteach.symbolic import B, E, b, i, j, k, n, r, step, t
+from bezteach.proof.equations.induction import by_induction
+from bezteach.symbolic import B, E, b, i, j, k, n, r, step, t, u
 
 
 def proof(lhs, rhs, ranges=None):
@@ -138,3 +153,42 @@ def test_steps_are_shown_as_a_reader_would_write_them():
         "it is 0 for all values",
     ]
     assert prove(step(t) ** n * b[0], CURVE).status == "PROVED"
+
+
+VANISHES_TO_14 = Mul(*[n - place for place in range(15)])  # what is false beside it, the refuter does not see
+CAPTURED = Sum(1 / (i - 20), (i, 0, n)) - Sum(1 / (j - 20), (j, 0, n)) + Sum(k, (k, 0, n)) + i + j
+VALUE = Symbol("value")
+
+
+@pytest.mark.parametrize(
+    ("lhs", "rhs", "ranges"),
+    [
+        pytest.param(
+            (VALUE**2 - 400) / (VALUE - 20) * 2**VALUE, (VALUE + 20) * 2**VALUE, {}, id="a name of the kernel"
+        ),
+        pytest.param(CAPTURED, n * (n + 1) / 2 + i + j, {i: (21, oo), j: (21, oo)}, id="an index is no symbol outside"),
+        pytest.param((u - 77) * Subs(t, t, 1 / (u - 77)), 1, {}, id="a value put in that is undefined at 77"),
+        pytest.param(Sum(b[k] * b[k + 2] - b[k + 1] ** 2, (k, 0, n)), 0, {}, id="products of points in a sum"),
+        pytest.param(Sum((-1) ** k * binomial(n, k) * b[k] * b[n - k], (k, 0, n)), 0, {}, id="points that turn round"),
+        pytest.param(Derivative(E * b[1], E), 2 * b[1], {}, id="a derivative by the operator beside a point"),
+        pytest.param(Subs(E * b[1], E, 3), 9 * b[0], {}, id="a value for the operator beside a point"),
+    ],
+)
+def test_what_is_false_only_far_away_is_not_proved(lhs, rhs, ranges):
+    """The refuter does not reach these, so it is the prover alone that must not be wrong."""
+    defined = not lhs.has(VALUE, u) and lhs != CAPTURED
+    front = VANISHES_TO_14 if defined else 1
+    verdict = prove(front * lhs, front * rhs, given=ranges)
+    assert verdict.status in ("CHECKED", "UNDECIDED")
+
+
+def test_points_with_two_indices_are_beyond_the_operator():
+    """A grid of points is no power of E: nothing is proved, and nothing breaks."""
+    assert by_algebra(statement(b[i, j] + b[i, k], b[i, k] + b[i, j]), Budget(5)) is None
+    assert prove(b[i, j], b[j, i]).status == "REFUTED"
+
+
+def test_no_induction_where_an_interval_moves():
+    """An interval that ends at n has another meaning at n + 1, and none in the first case."""
+    claim = statement(t * Sum(k, (k, 0, n)), t * n * (n + 1) / 2, {t: Interval(0, n)})
+    assert by_induction(claim, Budget(5)) is None

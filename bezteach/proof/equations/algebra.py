@@ -10,7 +10,7 @@ from bezteach.symbolic import B, Step
 
 from ..certificate import ByTerms, Group, Part, TermsCase
 from ..ranges import Integers
-from ..terms.defined import check_defined
+from ..terms.defined import check_defined, with_fresh_indices
 from ..terms.linear import coefficients, least
 from ..terms.normal import POINT, Edge, normal
 from ..terms.terms import Failure, Term, alike, common_part, times, written
@@ -94,17 +94,6 @@ def _with_ends_apart(expr):
         x = Dummy("x", real=True)
         moved = {f: B(*f.args[:2], x) for f in expr.atoms(B) if f.args[2] == end}
         expr = Subs(expr.xreplace(moved), x, end)
-    return expr
-
-
-def with_fresh_indices(expr):
-    """Every index of a sum a symbol of its own, so that none is caught when a symbol outside is replaced."""
-    if not expr.has(Sum):
-        return expr
-    expr = expr.func(*map(with_fresh_indices, expr.args)) if expr.args else expr
-    if isinstance(expr, Sum):
-        for index in expr.variables:
-            expr = expr.xreplace({index: Dummy(index.name, integer=True)})
     return expr
 
 

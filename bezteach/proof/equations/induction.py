@@ -7,13 +7,13 @@ about that summand, and about the sum of what the others gain; ``algebra`` decid
 from sympy import Sum, expand
 
 from ..certificate import ByInduction, Lemma
-from ..ranges import Integers
+from ..ranges import Integers, ends
 from ..statement import Statement
-from ..terms.defined import check_defined
+from ..terms.defined import check_defined, with_fresh_indices
 from ..terms.differences import difference
 from ..terms.terms import Failure
 from ..verdict import PROVED, Proof
-from .algebra import by_algebra, region_of, with_fresh_indices
+from .algebra import by_algebra, region_of
 
 
 def by_induction(statement, budget):
@@ -46,7 +46,7 @@ def by_induction(statement, budget):
 def _moving(statement):
     """The symbols in the limits of sums."""
     sums = [total for side in (statement.lhs, statement.rhs) for total in side.atoms(Sum)]
-    return {symbol for total in sums for _, *ends in total.limits for end in ends for symbol in end.free_symbols}
+    return {symbol for total in sums for _, *limits in total.limits for end in limits for symbol in end.free_symbols}
 
 
 def _along(symbol, upward, statement, budget):
@@ -71,7 +71,7 @@ def first_and_step(statement, symbol, upward):
     low, high = statement.ranges[symbol]
     start = low if upward else high
     others = {s: values for s, values in statement.ranges.items() if s != symbol}
-    if start.is_infinite or any(symbol in _ends(values) for values in others.values()):
+    if start.is_infinite or any(symbol in end.free_symbols for r in others.values() for end in ends(r)):
         return None
     sides = [with_fresh_indices(expand(side)) for side in (statement.lhs, statement.rhs)]
     ranges = {**others, symbol: Integers(low, high - 1)}
@@ -79,7 +79,3 @@ def first_and_step(statement, symbol, upward):
     left, right = (side.subs(symbol, start) for side in sides)
     gains = [difference(side, symbol, conditions) for side in sides]
     return Statement(left, "=", right, others), Statement(gains[0], "=", gains[1], ranges)
-
-
-def _ends(values):
-    return values.low.free_symbols | values.high.free_symbols if isinstance(values, Integers) else set()

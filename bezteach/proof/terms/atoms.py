@@ -76,6 +76,8 @@ def _factorial(expr, whole, conditions):
 
 
 def _point(expr, whole, conditions):
+    if len(expr.indices) != 1:
+        raise Failure(f"{expr} has more than one index")
     (index,) = expr.indices
     return [times(Term(POINT), power_of(E, index))]
 

@@ -4,7 +4,20 @@
 factor, is good only where everything beside it has a value.
 """
 
-from sympy import Derivative, Indexed, Integral, Interval, KroneckerDelta, Pow, Subs, Sum, binomial, factorial, oo
+from sympy import (
+    Derivative,
+    Dummy,
+    Indexed,
+    Integral,
+    Interval,
+    KroneckerDelta,
+    Pow,
+    Subs,
+    Sum,
+    binomial,
+    factorial,
+    oo,
+)
 
 from bezteach.symbolic import B, E
 
@@ -26,7 +39,27 @@ def check_defined(expr, conditions, ranges=None):
     ...
     bezteach.proof.terms.terms.Failure: t**(i - 1) has a negative exponent somewhere
     """
-    _check(expr, list(conditions), _reals(ranges or {}))
+    _check(with_fresh_indices(expr), list(conditions), _reals(ranges or {}))
+
+
+def with_fresh_indices(expr):
+    """Every index of a sum a symbol of its own, so that it is never taken for a symbol outside of the same name.
+
+    >>> from bezteach.symbolic import i, n
+    >>> with_fresh_indices(Sum(i, (i, 0, i), (i, 1, n)))
+    Sum(_i, (_i, 0, _i), (_i, 1, n))
+    """
+    if not expr.has(Sum):
+        return expr
+    if not isinstance(expr, Sum):
+        return expr.func(*map(with_fresh_indices, expr.args))
+    function, inner, limits = with_fresh_indices(expr.function), list(expr.limits), []
+    while inner:  # from the outermost on; its ends are outside, and stay
+        index, *ends = inner.pop()
+        fresh = {index: Dummy(index.name, integer=True)}
+        function, inner = function.xreplace(fresh), [limit.xreplace(fresh) for limit in inner]
+        limits.insert(0, (fresh[index], *ends))
+    return Sum(function, *limits)
 
 
 def _reals(ranges):
@@ -64,6 +97,9 @@ def _check(expr, conditions, reals):
         for _, order in expr.variable_count:
             _check_whole(expr, order)
             _check_not_negative(expr, order, conditions)
+    elif isinstance(expr, Subs):
+        for point in expr.point:
+            _check(point, conditions, reals)
     bodies, bound = _bodies(expr)
     reals = {symbol: values for symbol, values in reals.items() if symbol not in bound}
     for part in bodies:

@@ -2,9 +2,9 @@
 
 from math import ceil
 
-from sympy import Rational, S, Symbol, expand, oo
+from sympy import Dummy, Rational, S, expand, oo
 
-_VALUE = Symbol("value")
+_VALUE = Dummy("value")
 
 
 def coefficients(form):

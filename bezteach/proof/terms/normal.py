@@ -43,6 +43,8 @@ def _total(expr, whole, conditions):
 
 def _product(expr, whole, conditions):
     parts = [normal(part, whole, conditions) for part in expr.args]  # all of them: 0 times undefined is undefined
+    if sum(any(term.coefficient.has(POINT) for term in part) for part in parts) > 1:
+        raise Failure("a product of points is not a matter of the operator")
     terms = [Term()]
     for part in parts:
         terms = [times(one, other) for one in terms for other in part]
@@ -75,6 +77,8 @@ def _power(expr, whole, conditions):
 def _repeated(base, exponent, whole, conditions):
     if base.is_Symbol:
         return [Term(base**exponent)]
+    if exponent > 1 and base.has(Indexed):
+        raise Failure("a product of points is not a matter of the operator")
     terms = [Term()]
     for _ in range(exponent):
         terms = [times(one, other) for one in terms for other in normal(base, whole, conditions)]
@@ -100,6 +104,8 @@ def _in_reals(function, variables, whole, conditions):
     """The terms of what a derivative or an integral is taken of, in variables that are no integer symbols."""
     if not whole.isdisjoint(variables):
         raise Failure(f"one of {variables} is an integer")
+    if E in variables and function.has(Indexed):
+        raise Failure("a point is a letter beside the operator, and no power of it")
     return normal(function, whole, conditions)
 
 
