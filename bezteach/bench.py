@@ -1,5 +1,7 @@
 """What anyone states, as text: one statement is proved or refuted, several lines are judged as a derivation."""
 
+import re
+
 from .parsing import InvalidAnswer, parse, parse_given
 from .proof import check_derivation, prove
 
@@ -32,6 +34,8 @@ t*B(i,n,t) = (i+1)/(n+1)*B(i+1,n+1,t)
 
 def _statement(text):
     statement = parse(text)
+    if isinstance(statement, tuple) and any(getattr(part, "is_Relational", False) for part in statement):
+        raise InvalidAnswer("these are several statements: have each judged alone")
     if not getattr(statement, "is_Relational", False):
         raise InvalidAnswer(f"this is no statement: write an equation or inequality, such as {EXAMPLE}")
     return statement
@@ -39,8 +43,8 @@ def _statement(text):
 
 def _line(number, line):
     """The expression in a line; the equals sign in front becomes a space, so that places stay as they are."""
-    if line.lstrip().startswith("="):
-        line = line.replace("=", " ", 1)
+    if sign := re.match(r"\s*==?", line):
+        line = " " * sign.end() + line[sign.end() :]
     try:
         expression = parse(line)
     except InvalidAnswer as error:

@@ -54,3 +54,22 @@ def test_what_cannot_be_read(text, given, said):
     with pytest.raises(InvalidAnswer, match=said) as caught:
         judge(text, given)
     assert "\n" not in str(caught.value)
+
+
+def test_a_line_of_a_derivation_may_begin_with_either_equals_sign():
+    assert judge("t\n== 2t - t\n  = t").status == "PROVED"
+    with pytest.raises(InvalidAnswer, match=r"line 2, character 7: the bracket"):
+        judge("t\n== t+ (t")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("0 <= t, t <= 1", "several statements: have each judged alone"),
+        ("t = t + 0 = t", "each formula on its own line"),
+        ("0 <= t <= 1", "write the two statements apart"),
+    ],
+)
+def test_several_statements_at_once_are_told_apart(text, said):
+    with pytest.raises(InvalidAnswer, match=said):
+        judge(text)

@@ -404,7 +404,7 @@ REFUSED = [
     ("_", 1, 'before "_"'),
     ("t = = 1", 5, 'before "="'),
     ("0<=t<=1", 5, "write the two statements apart"),
-    ("t=u=1", 4, "write the two statements apart"),
+    ("t=u=1", 4, "write two statements, or in a derivation each formula on its own line"),
     ("(t=1)", 3, "outside brackets"),
     ("sum(i, i=0, n)", 9, "outside brackets"),
     ("t =< 1", 3, "write <="),

@@ -1,6 +1,9 @@
 """``bezteach prove`` and ``bezteach errata`` as a reader uses them."""
 
 import json
+import os
+import subprocess
+import sys
 
 import pytest
 
@@ -58,6 +61,7 @@ def test_a_statement_of_anyone(line, code, said, capsys):
         (["prove", "--statement", "__import__('os')"], "character 1"),
         (["prove", "--statement", "t"], "this is no statement"),
         (["prove", "--given", "n>=1"], "--given says where the letters of a --statement range"),
+        (["prove", "basis/unity", "--steps", "--json"], "--steps is for readers and --json for programs"),
         (["prove", "basis", "--statement", "t = t"], "--statement goes with --given and --steps only"),
     ],
 )
@@ -87,3 +91,15 @@ def test_the_sources_that_the_command_line_knows_are_those_of_the_ledger():
     from bezteach.ledger import READINGS
 
     assert list(cli.SOURCES) == list(READINGS)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="pipes are closed in another way")
+@pytest.mark.parametrize("line", [["errata"], ["prove", "--statement", "t = t"]], ids=["long", "short"])
+def test_a_reader_that_leaves_early_is_no_problem(line):
+    """What fills the pipe's buffer fails at once, and what does not fails at the end: neither says so."""
+    read, write = os.pipe()
+    os.close(read)
+    command = [sys.executable, "-m", "bezteach", *line]
+    done = subprocess.run(command, stdout=write, stderr=subprocess.PIPE, text=True, timeout=120)
+    os.close(write)
+    assert (done.returncode, done.stderr) == (1, "")

@@ -39,6 +39,8 @@ class Grammar(Reader):
         (sign, second), *more = others
         if more:
             message = "one sign at a time: write the two statements apart, 0 <= t, t <= 1"
+            if {sign.text, *(other.text for other, _ in more)} == {"="}:
+                message = "one sign at a time: write two statements, or in a derivation each formula on its own line"
             raise InvalidAnswer(message, more[0][0].position)
         self.count(sign.position)
         return relation(sign.text, first[1].value, second.value, sign.position)

@@ -53,7 +53,7 @@ COMMANDS = {
 FONTS = ("vec", "pmb", "mathbf", "boldsymbol", "bm", "mathrm", "mathit", "mathbb", "bar", "hat", "overline", "text")
 COMMAND_ADVICE = {
     "Delta": "write the difference with the operator, (E - 1)",
-    "begin": "write a matrix as a list of rows, ((1, 0), (-1, 1))",
+    "begin": "write only what stands inside, and a matrix as a list of rows, ((1, 0), (-1, 1))",
     "prod": "write the factors, or factorial(n)",
     "partial": "write diff(t^2, t)",
     "prime": "write diff(t^2, t)",

@@ -3,6 +3,7 @@
 from contextlib import suppress
 from fractions import Fraction
 from itertools import product
+from time import perf_counter
 
 import pytest
 from proof_claims import given, mutants
@@ -22,10 +23,20 @@ from sympy import (
     factorial,
     nan,
     oo,
+    symbols,
     zoo,
 )
 
-from bezteach.proof import Budget, InvalidStatement, Undefined, Unsupported, counterexample, evaluate, statement
+from bezteach.proof import (
+    Budget,
+    InvalidStatement,
+    OutOfTime,
+    Undefined,
+    Unsupported,
+    counterexample,
+    evaluate,
+    statement,
+)
 from bezteach.proof.inequalities.sign_of import Region, signs
 from bezteach.proof.inequalities.sign_sets import ANY
 from bezteach.proof.inequalities.signs import by_signs
@@ -278,3 +289,13 @@ EXACT = {
 @pytest.mark.parametrize("expr", EXACT, ids=str)
 def test_open_and_closed_ends_are_told_apart(expr):
     assert signs(expr, LETTERS) == EXACT[expr]
+
+
+def test_many_terms_keep_to_the_budget():
+    """A sum of hundreds of terms, each with a line of its own: what takes longer than the budget is given up."""
+    a, b, c, d = symbols("a b c d", real=True)
+    wide = claim(Ge, (1 + a + b + c + d) ** 9, 1 + a, {letter: Interval(0, oo) for letter in (a, b, c, d)})
+    begin = perf_counter()
+    with suppress(OutOfTime):
+        by_signs(wide, Budget(1))
+    assert perf_counter() - begin < 40  # only against hanging

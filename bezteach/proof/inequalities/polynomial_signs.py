@@ -4,6 +4,7 @@ What is known of an integer form comes from ``linear.least``, of a polynomial in
 roots, of any other polynomial from its Bernstein coefficients, or from what the conditions of the region say is >= 0.
 """
 
+from functools import lru_cache
 from itertools import combinations
 from math import comb
 
@@ -87,6 +88,7 @@ def of_form(form, region):
     return frozenset(sign for sign in ANY if not excluded[sign])
 
 
+@lru_cache(4096)  # many terms share few factors
 def _by_roots(poly, interval):
     """An irreducible polynomial turns its sign at each root, and has no rational one unless it is linear."""
     low, high = interval.start, interval.end

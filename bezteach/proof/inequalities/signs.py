@@ -45,7 +45,11 @@ def by_signs(statement, budget):
         budget.spend()
         try:
             certificate = proved(claim)
-            return Proof(PROVED, method, tuple(shown(claim, certificate)), certificate=certificate)
+            steps = []
+            for step in shown(claim, certificate):
+                budget.spend()
+                steps.append(step)
+            return Proof(PROVED, method, tuple(steps), certificate=certificate)
         except (Failure, Edge, PolynomialError):
             continue
     return None
