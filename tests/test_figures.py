@@ -15,6 +15,8 @@ ARCH = EXAMPLES["deck/segment"].given["points"]
 ALL = {
     "basis": lambda: figures.basis(3),
     "stacked": lambda: figures.stacked(3),
+    "areas": lambda: figures.areas(3),
+    "graph": lambda: figures.graph([0, 0, F(1, 3), 1], "$t^2$"),
     "graphs": lambda: figures.graphs({"$B_{1,3}$": [0, 1, 0, 0], "$B_{1,3}'$": [3, 0, -3]}),
     "triangle": lambda: figures.triangle(CUBIC, F(1, 3)),
     "split": lambda: figures.split(CUBIC, F(1, 3)),
@@ -83,6 +85,21 @@ def test_graphs_are_those_of_the_coefficients():
     function, slope = (line for line in drawn(axes) if len(line) > 2)
     assert np.allclose(slope[[0, -1]], [(0, 3), (1, -3)])
     assert np.allclose(function[len(function) // 2], (0.5, 3 / 8))
+
+
+def test_areas_are_filled_under_each_function():
+    panels = ALL["areas"]().axes
+    assert [axes.get_title() for axes in panels] == [f"$B_{{{i},3}}$: area 1/4" for i in range(4)]
+    outline = panels[1].collections[0].get_paths()[0].vertices
+    x, y = outline[:-1].T
+    assert abs(np.dot(x, np.roll(y, 1)) - np.dot(y, np.roll(x, 1))) / 2 == pytest.approx(1 / 4, abs=1e-3)
+
+
+def test_graph_stands_beside_the_polygon_of_its_coefficients():
+    (axes,) = ALL["graph"]().axes
+    assert holds(axes, [(0, 0), (1 / 3, 0), (2 / 3, 1 / 3), (1, 1)])
+    square = next(line for line in drawn(axes) if len(line) > 4)
+    assert np.allclose(square[:, 1], square[:, 0] ** 2)
 
 
 def test_decay_draws_the_values_beside_the_guide():

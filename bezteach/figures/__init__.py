@@ -5,7 +5,7 @@ of two numbers, exact or not. ``show`` puts a figure into a notebook as PNG and 
 """
 
 from .curves import halving, segment, split, triangle
-from .functions import basis, decay, graphs, stacked
+from .functions import areas, basis, decay, graph, graphs, stacked
 from .style import show
 
-__all__ = ["basis", "decay", "graphs", "halving", "segment", "show", "split", "stacked", "triangle"]
+__all__ = ["areas", "basis", "decay", "graph", "graphs", "halving", "segment", "show", "split", "stacked", "triangle"]

@@ -51,6 +51,35 @@ def stacked(n):
 
 
 @mpl.rc_context(STYLE)
+def areas(n):
+    """The areas under the n+1 Bernstein functions of degree n, a panel each; all are 1/(n+1)."""
+    figure = Figure(figsize=(2.6 * (n + 1), 2.6), layout="constrained")
+    t = np.linspace(0, 1, SAMPLES)
+    for i, axes in enumerate(figure.subplots(1, n + 1, squeeze=False, sharey=True)[0]):
+        axes.fill_between(t, numeric.sample(np.eye(n + 1)[i], SAMPLES), color=FIRST, alpha=0.3)
+        _graph(axes, np.eye(n + 1)[i], 0)
+        axes.set(title=f"$B_{{{i},{n}}}$: area 1/{n + 1}", xticks=[0, 1], yticks=[0, 1], ylim=(0, 1.02))
+    figure.set_label(f"The areas under the {n + 1} Bernstein functions of degree {n}, over [0, 1]: each is 1/{n + 1}.")
+    return figure
+
+
+@mpl.rc_context(STYLE)
+def graph(coefficients, name):
+    """The graph of a polynomial over [0, 1] and the polygon of its Bernstein coefficients, above 0, 1/n, ..., 1."""
+    figure, axes = _unit_square()
+    places = np.linspace(0, 1, len(coefficients))
+    axes.plot(
+        places, np.asarray(coefficients, dtype=float), color=QUIET, linestyle=":", marker="o", markerfacecolor="white"
+    )
+    _graph(axes, coefficients, 0)
+    axes.axhline(0, color=QUIET, linewidth=1)
+    axes.set_title(name)
+    listed = ", ".join(map(number, coefficients))
+    figure.set_label(f"The graph of {name} over [0, 1], and its polygon with the heights {listed} at equal steps.")
+    return figure
+
+
+@mpl.rc_context(STYLE)
 def graphs(polynomials):
     """Polynomials over [0, 1]: {name: Bernstein coefficients}, each in a dash of its own."""
     figure, axes = _unit_square()

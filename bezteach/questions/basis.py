@@ -102,6 +102,60 @@ QUESTIONS = {
         },
         "only at t = 1",
     ),
+    "basis/ends": Choice(
+        "Which of the four cubic functions are not 0 at t = 0?",
+        {
+            "all four": "B₁, B₂ and B₃ have a factor t.",
+            "only B₀": "Yes: the others have a factor t. So the curve begins in its first control point.",
+            "B₀ and B₃": "B₃ is t³.",
+        },
+        "only B₀",
+    ),
+    "basis/recursion-weights": Choice(
+        "At t = 1/4 you know B_{2,4} and B_{1,4}. With which weights do they make B_{2,5}?",
+        {
+            "3/4 and 1/4": "Yes: the last throw is tails with probability 1 - t, and then there were 2 heads before.",
+            "1/4 and 3/4": "If you had 2 heads before, the last throw must be tails. How likely is that?",
+            "1/2 and 1/2": "Heads and tails are not equally likely here.",
+        },
+        "3/4 and 1/4",
+    ),
+    "basis/elevation-multiple": Choice(
+        "t B_{1,1}(t) is t². Which multiple of which quadratic function is it?",
+        {
+            "1/2 of B_{1,2}": "B_{1,2} is 2t(1 - t): it vanishes at t = 1, and t² does not.",
+            "B_{2,2} itself": "Yes: (i + 1)/(n + 1) = 2/2, and the index has grown with the degree.",
+            "2/3 of B_{2,2}": "B_{2,2}(1) = 1. What is t² there?",
+        },
+        "B_{2,2} itself",
+    ),
+    "basis/part-coefficient": Choice(
+        "B_{2,2}(t) = t². On the part up to t = 1/2, in terms of u = 2t, which multiple of B_{2,2}(u) is it?",
+        {
+            "1/2": "t is u/2. What is t²?",
+            "1/4": "Yes: t² = u²/4, and 1/4 is B_{2,2} at the place of the cut.",
+            "1": "At u = 1 the function has the value that t² has at t = 1/2.",
+        },
+        "1/4",
+    ),
+    "basis/t-coefficients": Choice(
+        "Write t as a combination of the four cubic functions. What are its coefficients?",
+        {
+            "0, 1, 0, 0": "That is B₁ itself, a hump.",
+            "0, 1/3, 2/3, 1": "Yes: the coefficient before B_j is the place j/3 of its peak.",
+            "1, 2/3, 1/3, 0": "These give 1 - t.",
+        },
+        "0, 1/3, 2/3, 1",
+    ),
+    "basis/zero-combination": Choice(
+        "c₀B₀ + c₁B₁ + c₂B₂ + c₃B₃ is 0 for every t. What do you know of the coefficients?",
+        {
+            "they sum to 0": "At t = 0 only B₀ is left. What does that say of c₀ alone?",
+            "c₀ and c₃ are 0, the others may be anything": "Divide what is left by t, and look at t = 0 again.",
+            "all are 0": "Yes: at t = 0 only c₀ is left, so it is 0; divide by t, and so on.",
+        },
+        "all are 0",
+    ),
     "basis/exercise-values": Entry(
         "Exercise 1. The values B_{0,3}, B_{1,3}, B_{2,3}, B_{3,3} at t = 1/3:",
         lambda: bernstein(3, F(1, 3)),
