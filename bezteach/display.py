@@ -128,3 +128,19 @@ def formula(expression, name=None):
     if name is None:
         return Exact(str(expression), latex(expression))
     return Exact(f"{name} = {expression}", f"{latex(name)} = {latex(expression)}")
+
+
+def lines(expressions):
+    """The lines of a chain of equalities, numbered and without their reasons, for a reader to judge.
+
+    >>> from bezteach.symbolic import t
+    >>> lines([(1 - t) ** 2, 1 - t**2])
+    1.   (1 - t)**2
+    2. = 1 - t**2
+    """
+    from .symbolic import latex
+
+    rows = [(number, " " if number == 1 else "=", line) for number, line in enumerate(expressions, 1)]
+    text = "\n".join(f"{number}. {sign} {line}" for number, sign, line in rows)
+    body = r" \\[1ex] ".join(rf"{number}. && {sign} {latex(line)}" for number, sign, line in rows)
+    return Exact(text, rf"\begin{{aligned}} {body} \end{{aligned}}")

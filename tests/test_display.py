@@ -52,3 +52,9 @@ def test_formula_names_what_it_shows():
         r"$\displaystyle \left[\left(1 - t\right) + t E\right] {b}_{0}$"
     )
     assert repr(display.formula(n + 1, symbols("m"))) == "m = n + 1"
+
+
+def test_lines_are_numbered_and_equal_from_the_second_on():
+    assert display.lines([t * (1 - t), t - t**2])._repr_latex_() == (
+        r"$\displaystyle \begin{aligned} 1. &&   t \left(1 - t\right) \\[1ex] 2. && = t - t^{2} \end{aligned}$"
+    )

@@ -18,7 +18,19 @@ from .sources import READINGS
 
 CLAIMS = {claim.id: claim for claim in _ALL}
 
-__all__ = ["CLAIMS", "READINGS", "Judged", "errata", "judge", "matching", "places", "proof", "show", "show_errata"]
+__all__ = [
+    "CLAIMS",
+    "READINGS",
+    "Judged",
+    "errata",
+    "judge",
+    "matching",
+    "places",
+    "proof",
+    "show",
+    "show_errata",
+    "slip",
+]
 
 
 def judge(id):
@@ -50,6 +62,18 @@ def proof(id):
     = 0    (it is 0 for all values)
     """
     return _proof(judge(id))
+
+
+def slip(source, id):
+    """The slip in what a source prints at a claim; ``ValueError`` if it prints it rightly.
+
+    >>> slip("deck", "basis/recursion/proof").kind
+    'refuted'
+    """
+    found = [row.slip for row in READINGS[source] if row.claim == id and row.slip]
+    if not found:
+        raise ValueError(f"{source} has no slip at {id!r}")
+    return found[0]
 
 
 def errata():

@@ -13,8 +13,8 @@ from typing import NamedTuple
 from sympy import Eq, Expr, MatMul, oo
 from sympy.core.relational import Relational
 
-from bezteach.proof.verdict import in_words
 from bezteach.symbolic import latex
+from bezteach.symbolic.printing import in_words
 
 
 class Chain(NamedTuple):

@@ -6,9 +6,10 @@ from typing import NamedTuple
 from sympy import Expr
 
 from bezteach.symbolic import latex
+from bezteach.symbolic.printing import in_words
 
 from .exact.refuter import Counterexample
-from .verdict import ARGUED, CHECKED, INVALID, PROVED, REFUTED, UNDECIDED, Verdict, in_words, point_words, sides_words
+from .verdict import ARGUED, CHECKED, INVALID, PROVED, REFUTED, UNDECIDED, Verdict, point_words, sides_words
 
 START = "start"
 FOLLOWS = "follows"

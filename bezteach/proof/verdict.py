@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from bezteach.symbolic import Step, latex
+from bezteach.symbolic.printing import in_words
 
 from .errors import Undefined
 from .exact.polynomial import to_sympy
@@ -100,10 +101,3 @@ def sides_words(found):
 
 def _value(value):
     return in_words(f"undefined ({value})") if isinstance(value, Undefined) else latex(to_sympy(value))
-
-
-_SPECIAL = {"\\": r"\backslash ", "^": r"\wedge "} | {mark: "\\" + mark for mark in "_{}%$#&"}
-
-
-def in_words(text):
-    return rf"\text{{{''.join(_SPECIAL.get(mark, mark) for mark in text)}}}"

@@ -1,5 +1,7 @@
 """LaTeX as the course writes it: 1 - t before t - 1, and operators in E between the factors and the points."""
 
+import re
+
 from sympy import Add, Indexed, Mul, binomial, fraction
 from sympy.printing.latex import LatexPrinter
 
@@ -125,12 +127,14 @@ _SPECIAL = {"\\": r"\backslash ", "^": r"\wedge "} | {mark: "\\" + mark for mark
 
 
 def in_words(text):
-    r"""Words as LaTeX sets them inside a formula.
+    r"""Words as LaTeX sets them inside a formula; a mark with a meaning of its own stands outside the words, where
+    MathJax and KaTeX know its name.
 
-    >>> print(in_words("b_0"))
-    \text{b\_0}
+    >>> print(in_words("at b_0"))
+    \text{at b}\_\text{0}
     """
-    return rf"\text{{{''.join(_SPECIAL.get(mark, mark) for mark in text)}}}"
+    runs = re.split(r"([\\^_{}%$#&])", text)
+    return "".join(_SPECIAL.get(run) or rf"\text{{{run}}}" for run in runs if run)
 
 
 def latex(expr):

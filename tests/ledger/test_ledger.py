@@ -158,6 +158,12 @@ def test_an_unknown_claim_names_the_nearest():
         ledger.show("basis/unit")
 
 
+def test_what_is_printed_rightly_has_no_slip():
+    assert ledger.slip("games", "basis/elevation/second").kind == "refuted"
+    with pytest.raises(ValueError, match="deck has no slip at 'basis/unity'"):
+        ledger.slip("deck", "basis/unity")
+
+
 def test_claims_come_in_the_order_of_the_sources():
     ids = ledger.matching()
     assert sorted(ids) == sorted(ledger.CLAIMS)

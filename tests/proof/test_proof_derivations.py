@@ -502,4 +502,4 @@ def test_a_judgement_in_a_notebook():
     assert r"n = 2,\quad i = 1,\quad u = \frac{1}{3}:\quad \text{left: } \frac{4}{9}" in shown
     assert r"& \textbf{REFUTED} && \text{line 4 is the first wrong one; " in shown
     unknown = check_derivation([t, "x_1"])._repr_latex_()
-    assert r"&= \text{x\_1} && \text{✗ invalid: 'x\_1' is not an expression}" in unknown
+    assert r"&= \text{x}\_\text{1} && \text{✗ invalid: 'x}\_\text{1' is not an expression}" in unknown

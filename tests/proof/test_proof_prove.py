@@ -254,7 +254,7 @@ def test_a_verdict_in_a_notebook():
     missing = prove(B(i, n, t), (1 - t) * B(i, n - 1, t) + t * B(i - 1, n - 1, t))._repr_latex_()
     assert r"\text{right: } \text{undefined (B of degree -1)}" in missing
     assert (
-        r"\text{a range is given for x\_1, which does not occur}"
+        r"\text{a range is given for x}\_\text{1, which does not occur}"
         in prove(t, t, given={Symbol("x_1"): (0, 1)})._repr_latex_()
     )
 
