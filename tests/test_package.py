@@ -51,7 +51,18 @@ ARROWS = {
     "figures": {"numeric", "display", "palette"},
     "bench": {"parsing", "proof"},
     "ledger": {"proof", "symbolic", "display", "examples"},
-    "widgets": {"numeric", "examples", "symbolic", "display", "questions", "palette", "bench", "parsing", "proof"},
+    "widgets": {
+        "numeric",
+        "figures",
+        "examples",
+        "symbolic",
+        "display",
+        "questions",
+        "palette",
+        "bench",
+        "parsing",
+        "proof",
+    },
 }
 
 

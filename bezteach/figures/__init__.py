@@ -6,6 +6,20 @@ of two numbers, exact or not. ``show`` puts a figure into a notebook as PNG and 
 
 from .curves import halving, segment, split, triangle
 from .functions import areas, basis, decay, graph, graphs, stacked
+from .scene import drawn
 from .style import show
 
-__all__ = ["areas", "basis", "decay", "graph", "graphs", "halving", "segment", "show", "split", "stacked", "triangle"]
+__all__ = [
+    "areas",
+    "basis",
+    "decay",
+    "drawn",
+    "graph",
+    "graphs",
+    "halving",
+    "segment",
+    "show",
+    "split",
+    "stacked",
+    "triangle",
+]

@@ -1,0 +1,95 @@
+"""A board's marks as a matplotlib figure, for a handout."""
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle, Polygon
+
+from .. import numeric
+from ..palette import FIRST, INK, QUIET, SECOND
+from .style import SAMPLES, STYLE
+
+COLOURS = {"ink": INK, "first": FIRST, "second": SECOND, "quiet": QUIET, "paper": "white", "none": "none"}
+
+
+@mpl.rc_context(STYLE)
+def drawn(marks, view, alt):
+    """Draw marks (``widgets.board.marks``) over a view (x0, y0, x1, y1); a second frame has the derivative's plane."""
+    count = 1 + any(mark.frame for mark in marks)
+    x0, y0, x1, y1 = view
+    height = min(max(6 * (y1 - y0) / (x1 - x0), 2.5), 7)
+    figure = Figure(figsize=(6 if count == 1 else 10, height), layout="constrained")
+    panels = figure.subplots(1, count, squeeze=False).ravel()
+    for axes in panels:
+        axes.set(aspect="equal")
+        axes.set_axis_off()
+    panels[0].set(xlim=(x0, x1), ylim=(y0, y1))
+    for mark in marks:
+        DRAWN[mark.kind](panels[mark.frame], np.asarray(mark.points, dtype=float), mark)
+    figure.set_label(alt)
+    return figure
+
+
+def _look(style):
+    return {"color": COLOURS[style.colour], "linewidth": style.width, "linestyle": _dash(style)}
+
+
+def _dash(style):
+    return (0, tuple(float(length) / style.width for length in style.dash.split())) if style.dash else "-"
+
+
+def _line(axes, points, mark):
+    axes.plot(*points.T, **_look(mark.style))
+
+
+def _curve(axes, points, mark):
+    _line(axes, numeric.sample(points, SAMPLES), mark)
+
+
+def _whole(axes, points, mark):
+    axes.axline(*points, **_look(mark.style))
+
+
+def _area(axes, points, mark):
+    style = mark.style
+    axes.add_patch(Polygon(points, facecolor=COLOURS[style.fill], alpha=style.opacity, edgecolor="none"))
+
+
+def _circle(axes, points, mark):
+    centre, rim = points
+    axes.add_patch(Circle(centre, float(np.hypot(*(rim - centre))), fill=False, **_edge(mark.style)))
+
+
+def _edge(style):
+    return {"edgecolor": COLOURS[style.colour], "linewidth": style.width}
+
+
+def _spots(marker):
+    def draw(axes, points, mark):
+        style = mark.style
+        look = {"markeredgecolor": COLOURS[style.colour], "markeredgewidth": style.width}
+        axes.plot(
+            *points.T, marker, markersize=2 * style.radius * 0.75, markerfacecolor=COLOURS[style.fill], zorder=3, **look
+        )
+
+    return draw
+
+
+def _names(axes, points, mark):
+    for i, (place, word) in enumerate(zip(points, mark.words, strict=True)):
+        neighbours = [points[j] for j in (i - 1, i + 1) if 0 <= j < len(points)]
+        away = place - np.mean(neighbours, axis=0)
+        away = away / (np.hypot(*away) or 1.0)
+        axes.annotate(word, place, xytext=16 * away, textcoords="offset points", ha="center", va="center")
+
+
+DRAWN = {
+    "line": _line,
+    "curve": _curve,
+    "whole": _whole,
+    "area": _area,
+    "circle": _circle,
+    "dots": _spots("o"),
+    "squares": _spots("s"),
+    "names": _names,
+}

@@ -1,0 +1,757 @@
+// The board in a browser: it paints the layers of a state at once and moves its points; Python answers with exact
+// numbers. Sections: exact numbers; the scene, as in scene.py; the picture, as in svg.py; what the reader moves.
+
+// ---- Exact numbers: a fraction is [p, q] in BigInt, with q > 0 and nothing to cancel ----
+
+const gcd = (a, b) => (b ? gcd(b, a % b) : a < 0n ? -a : a);
+const fraction = (p, q = 1n) => {
+  const common = gcd(p, q) * (q < 0n ? -1n : 1n);
+  return [p / common, q / common];
+};
+const read = (text) => fraction(...String(text).split("/").map(BigInt));
+const write = ([p, q]) => (q === 1n ? `${p}` : `${p}/${q}`);
+const plus = ([a, b], [c, d]) => fraction(a * d + c * b, b * d);
+const times = ([a, b], [c, d]) => fraction(a * c, b * d);
+const minus = (x, y) => plus(x, times([-1n, 1n], y));
+const value = (text) => {
+  const [p, q] = read(text);
+  return Number(p) / Number(q);
+};
+const mix = (x, y, t) => plus(times(minus([1n, 1n], t), x), times(t, y));
+const mixed = (p, q, t) => p.map((text, axis) => write(mix(read(text), read(q[axis]), t)));
+
+export function elevated(points) {
+  const n = points.length;
+  return Array.from({ length: n + 1 }, (_, j) =>
+    mixed(points[Math.min(j, n - 1)], points[Math.max(j - 1, 0)], fraction(BigInt(j), BigInt(n))),
+  );
+}
+
+export function exactLevels(points, t) {
+  const levels = [points];
+  while (levels.at(-1).length > 1) {
+    const level = levels.at(-1);
+    levels.push(level.slice(1).map((q, j) => mixed(level[j], q, read(t))));
+  }
+  return levels;
+}
+
+// ---- The scene: each layer's marks from floats, in the order and the shape of scene.py ----
+
+const SUBSCRIPTS = "₀₁₂₃₄₅₆₇₈₉";
+const between = (p, q, t) => p.map((c, axis) => (1 - t) * c + t * q[axis]);
+const subtract = (p, q) => [p[0] - q[0], p[1] - q[1]];
+const cross = (p, q) => p[0] * q[1] - p[1] * q[0];
+const floats = (points) => points.map((point) => point.map(value));
+
+function levelsAt(points, t) {
+  const levels = [points];
+  while (levels.at(-1).length > 1) {
+    const level = levels.at(-1);
+    levels.push(level.slice(1).map((q, j) => between(level[j], q, t)));
+  }
+  return levels;
+}
+
+const pointAt = (points, t) => levelsAt(points, t).at(-1)[0];
+
+function split(points, t) {
+  const levels = levelsAt(points, t);
+  return [levels.map((level) => level[0]), levels.map((level) => level.at(-1)).reverse()];
+}
+
+const segment = (points, a, b) =>
+  points.map((_, j) => {
+    let level = points;
+    for (let step = 1; step < points.length; step++) {
+      const at = step <= j ? b : a;
+      level = level.slice(1).map((q, k) => between(level[k], q, at));
+    }
+    return level[0];
+  });
+
+const arrowsOf = (points) =>
+  points.slice(1).map((q, i) => subtract(q, points[i]).map((c) => c * (points.length - 1)));
+
+const raise = (points) =>
+  Array.from({ length: points.length + 1 }, (_, j) =>
+    between(points[Math.min(j, points.length - 1)], points[Math.max(j - 1, 0)], j / points.length),
+  );
+
+function halved(points, depth) {
+  let pieces = [points];
+  for (let k = 0; k < depth; k++) pieces = pieces.flatMap((piece) => split(piece, 0.5));
+  return pieces;
+}
+
+function hull(points) {
+  const ordered = [...new Map(points.map((p) => [p.join(), p])).values()].sort((p, q) => p[0] - q[0] || p[1] - q[1]);
+  if (ordered.length < 3) return ordered;
+  const chain = (list) => {
+    const corners = [];
+    for (const point of list) {
+      while (corners.length > 1 && cross(subtract(corners.at(-1), corners.at(-2)), subtract(point, corners.at(-2))) <= 0)
+        corners.pop();
+      corners.push(point);
+    }
+    return corners.slice(0, -1);
+  };
+  return [...chain(ordered), ...chain([...ordered].reverse())];
+}
+
+function endCircle(points) {
+  const first = subtract(points[1], points[0]);
+  const area = cross(first, subtract(points[Math.min(2, points.length - 1)], points[0]));
+  const n = points.length - 1;
+  if (area === 0) return null;
+  const away = (n * (first[0] ** 2 + first[1] ** 2)) / ((n - 1) * area);
+  return [[points[0][0] - away * first[1], points[0][1] + away * first[0]], points[0]];
+}
+
+const heights = (points, [p, q]) => points.map((b) => cross(subtract(q, p), subtract(b, p)));
+
+function polygonCrossings(points, line) {
+  const h = heights(points, line);
+  const places = [];
+  for (let i = 0; i + 1 < h.length; i++) {
+    if (h[i] === 0 && (i === 0 || h[i - 1] !== 0) && h[i + 1] !== 0) places.push(points[i]);
+    else if (h[i] * h[i + 1] < 0) places.push(between(points[i], points[i + 1], h[i] / (h[i] - h[i + 1])));
+  }
+  if (h.at(-1) === 0 && h.at(-2) !== 0) places.push(points.at(-1));
+  return places;
+}
+
+const TINY = 1e-9;
+const NEAR = 1e-3;
+const DEPTH = 20;
+
+function curveCrossings(points, line) {
+  const h = heights(points, line);
+  const size = Math.max(...h.map(Math.abs));
+  if (size === 0) return [];
+  const found = [];
+  const search = (piece, low, high) => {
+    if (piece.every(([x]) => x > TINY) || piece.every(([x]) => x < -TINY)) return;
+    if (piece.every(([x]) => Math.abs(x) <= TINY) || high - low < 2 ** -DEPTH) {
+      const t = (low + high) / 2;
+      if (!found.length || t - found.at(-1) > NEAR) found.push(t);
+      return;
+    }
+    const [left, right] = split(piece, 0.5);
+    search(left, low, (low + high) / 2);
+    search(right, (low + high) / 2, high);
+  };
+  search(
+    h.map((x) => [x / size]),
+    0,
+    1,
+  );
+  return found.map((t) => pointAt(points, t));
+}
+
+const mark = (kind, points, style, frame = 0) => ({ kind, points, style, frame });
+const same = (p, q) => p[0] === q[0] && p[1] === q[1];
+const parity = (i) => (i % 2 ? "odd" : "even");
+
+const PAINTED = {
+  hull(points) {
+    const [xs, ys] = [0, 1].map((axis) => points.map((p) => p[axis]));
+    const [x0, y0, x1, y1] = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
+    const corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1], [x0, y0]]; // prettier-ignore
+    return [mark("area", hull(points), "hull"), mark("line", corners, "box")];
+  },
+  polygon: (points) => [mark("line", points, "polygon")],
+  curve: (points) => [mark("curve", points, "curve")],
+  elevated(points, state) {
+    const marks = [];
+    for (let r = 1, raised = raise(points); r <= state.raised; r++, raised = raise(raised))
+      marks.push(mark("line", raised, parity(r)), mark("dots", raised, parity(r)));
+    return marks;
+  },
+  halving: (points, state) =>
+    halved(points, state.depth).flatMap((piece, i) => [mark("line", piece, parity(i)), mark("dots", piece, parity(i))]),
+  circle(points, state) {
+    const found = endCircle(state.end ? [...points].reverse() : points);
+    return found ? [mark("circle", found, "circle"), mark("line", found, "axis"), mark("dots", found, "new")] : [];
+  },
+  tangents(points, state) {
+    const levels = levelsAt(points, value(state.t));
+    const pairs = [points.slice(0, 2), levels.at(-2), points.slice(-2)].filter(([p, q]) => !same(p, q));
+    return [...pairs.map((pair) => mark("whole", pair, "tangent")), mark("dots", levels.at(-1), "point")];
+  },
+  line(points, state) {
+    const line = floats(state.line);
+    const crossings = [
+      mark("squares", polygonCrossings(points, line), "polygon-crossing"),
+      mark("dots", curveCrossings(points, line), "crossing"),
+    ];
+    return [mark("whole", line, "line"), ...crossings.filter((found) => found.points.length)];
+  },
+  levels(points, state) {
+    const last = state.level === null ? points.length - 1 : state.level;
+    const levels = levelsAt(points, value(state.t)).slice(1, last + 1);
+    return [
+      ...levels.filter((level) => level.length > 1).map((level) => mark("line", level, "level")),
+      ...levels.map((level) => mark("dots", level, level.length > 1 ? "new" : "point")),
+    ];
+  },
+  halves(points, state) {
+    const [left, right] = split(points, value(state.t));
+    return [
+      mark("curve", left, "left-curve"),
+      mark("curve", right, "right-curve"),
+      mark("line", left, "left"),
+      mark("line", right, "right"),
+      mark("dots", left, "left"),
+      mark("squares", right, "right"),
+    ];
+  },
+  part(points, state) {
+    const part = segment(points, value(state.a), value(state.b));
+    return [mark("curve", part, "right-curve"), mark("line", part, "right"), mark("squares", part, "right")];
+  },
+  hodograph(points, state) {
+    const arrows = arrowsOf(points);
+    const t = value(state.t);
+    const tip = pointAt(arrows, t);
+    return [
+      mark("whole", [[0, 0], [1, 0]], "axis", 1), // prettier-ignore
+      mark("whole", [[0, 0], [0, 1]], "axis", 1), // prettier-ignore
+      mark("line", arrows, "polygon", 1),
+      mark("curve", arrows, "hodograph", 1),
+      mark("dots", arrows, "new", 1),
+      mark("line", [[0, 0], tip], "vector", 1),
+      mark("dots", [tip], "point", 1),
+      mark("dots", [pointAt(points, t)], "point"),
+    ];
+  },
+};
+
+export function scene(state) {
+  const points = floats(state.points);
+  return Object.keys(PAINTED)
+    .filter((name) => state.show.includes(name))
+    .flatMap((name) => PAINTED[name](points, state));
+}
+
+const nameOf = (i) => "b" + String(i).replace(/\d/g, (digit) => SUBSCRIPTS[digit]);
+
+// ---- The picture: marks as the elements that svg.py writes ----
+
+const MARGIN = 30;
+const NARROW = 520;
+const SAMPLES = 97;
+
+function layout(width, [x0, y0, x1, y1], beside, size) {
+  const margin = MARGIN * size;
+  const across = width < NARROW || !beside ? width : Math.round(0.62 * width);
+  const steep = (y1 - y0) / (x1 - x0);
+  const height = Math.round(Math.min(Math.max(steep * (across - 2 * margin) + 2 * margin, 0.4 * across), 0.85 * across));
+  const first = [0, 0, across, height];
+  if (!beside) return [height, [first]];
+  const below = Math.round(0.7 * width);
+  if (width < NARROW) return [height + below, [first, [0, height, width, below]]];
+  return [height, [first, [across, 0, width - across, height]]];
+}
+
+function frameOf([left, top, width, height], [x0, y0, x1, y1], size) {
+  const margin = MARGIN * size;
+  const scale = Math.min((width - 2 * margin) / (x1 - x0), (height - 2 * margin) / (y1 - y0));
+  const x = left + width / 2 - (scale * (x0 + x1)) / 2;
+  const y = top + height / 2 + (scale * (y0 + y1)) / 2;
+  return {
+    rectangle: [left, top, width, height],
+    place: ([px, py]) => [x + scale * px, y - scale * py],
+    back: ([sx, sy]) => [(sx - x) / scale, (y - sy) / scale],
+    diagonal: Math.hypot(width, height),
+  };
+}
+
+function vectorView(marks) {
+  const reach = Math.max(0, ...marks.filter((m) => m.frame && m.kind !== "whole").flatMap((m) => m.points.flat()).map(Math.abs));
+  const half = reach > 0 ? 2 ** Math.ceil(Math.log2(reach)) : 1;
+  return [-half, -half, half, half];
+}
+
+function beside(pixels, size) {
+  return pixels.map((dot, i) => {
+    const near = [pixels[i - 1], pixels[i + 1]].filter(Boolean);
+    const away = subtract(dot, [0, 1].map((axis) => near.reduce((sum, p) => sum + p[axis], 0) / near.length)); // prettier-ignore
+    const length = Math.hypot(...away);
+    const unit = length > 1 ? away.map((c) => c / length) : [0, -1];
+    return dot.map((c, axis) => c + 20 * size * unit[axis]);
+  });
+}
+
+const rounded = (x) => x.toFixed(1);
+const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
+
+function drawn(m, frame, styles, size) {
+  const style = typeof m.style === "string" ? styles[m.style] : m.style;
+  let pixels = m.points.map(frame.place);
+  if (m.kind === "curve")
+    pixels = Array.from({ length: SAMPLES }, (_, i) => frame.place(pointAt(m.points, i / (SAMPLES - 1))));
+  if (m.kind === "whole") {
+    const along = subtract(pixels[1], pixels[0]);
+    const reach = along.map((c) => (2 * frame.diagonal * c) / Math.hypot(...along));
+    pixels = [subtract(pixels[0], reach), [pixels[0][0] + reach[0], pixels[0][1] + reach[1]]];
+  }
+  const look = (fill, dashed = true) =>
+    `fill="${fill === "none" ? fill : `var(--bt-${fill})`}" fill-opacity="${style.opacity}" stroke="var(--bt-${style.colour})" ` +
+    `stroke-width="${style.width * size}"${dashed && style.dash ? ` stroke-dasharray="${style.dash}"` : ""}`;
+  const path = () => pixels.map((p) => p.map(rounded).join()).join(" ");
+  const dot = ([x, y], r, fill, dashed) =>
+    `<circle cx="${rounded(x)}" cy="${rounded(y)}" r="${rounded(r)}" ${look(fill, dashed)}/>`;
+  const r = style.radius * size;
+  switch (m.kind) {
+    case "area":
+      return `<polygon points="${path()}" ${look(style.fill)} stroke-linejoin="round"/>`;
+    case "circle":
+      return dot(pixels[0], Math.hypot(...subtract(pixels[1], pixels[0])), "none", true);
+    case "dots":
+      return pixels.map((p) => dot(p, r, style.fill, false)).join("");
+    case "squares":
+      return pixels
+        .map(([x, y]) => `<rect x="${rounded(x - r)}" y="${rounded(y - r)}" width="${2 * r}" height="${2 * r}" ${look(style.fill, false)}/>`)
+        .join("");
+    case "names":
+      return beside(pixels, size)
+        .map(([x, y], i) => word(x, y, m.words[i], size))
+        .join("");
+    default:
+      return `<polyline points="${path()}" ${look("none")} stroke-linejoin="round"/>`;
+  }
+}
+
+const word = (x, y, text, size) =>
+  `<text x="${rounded(x)}" y="${rounded(y + 6 * size)}" text-anchor="middle">${escaped(text)}</text>`;
+
+// ---- What the reader moves ----
+
+const element = (tag, attributes = {}, ...children) => {
+  const made = document.createElement(tag);
+  for (const [name, set] of Object.entries(attributes)) {
+    if (name.startsWith("on")) made.addEventListener(name.slice(2), set);
+    else if (set !== false) made.setAttribute(name, set === true ? "" : set);
+  }
+  made.append(...children);
+  return made;
+};
+
+const REACH = 26; // pixels around a point in which a finger or a pointer takes it
+const BIG = 5n; // grid steps of an arrow key with Shift
+const TICKS = 120; // of t while it plays; the slider stops at every fifth
+const SECONDS = 5;
+const REMEMBERED = 200;
+const ARROWS = { ArrowLeft: [-1n, 0n], ArrowRight: [1n, 0n], ArrowUp: [0n, 1n], ArrowDown: [0n, -1n] };
+
+function render({ model, el }) {
+  let state = model.get("state");
+  let selected = null;
+  let playing = null;
+  let frame = null;
+  let history = [];
+  const styles = model.get("styles");
+  const size = () => (model.get("projector") ? 1.6 : 1);
+  const grid = () => read(model.get("grid"));
+  const most = model.get("most");
+
+  // -- the parts on the screen
+  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+  const under = document.createElementNS("http://www.w3.org/2000/svg", "g");
+  const above = document.createElementNS("http://www.w3.org/2000/svg", "g");
+  svg.setAttribute("role", "group");
+  under.setAttribute("aria-hidden", "true");
+  svg.append(under, above);
+  const readout = element("div", { class: "bt-readout" });
+  const said = element("div", { class: "bt-said", "aria-live": "polite" });
+  const sliders = element("div", { class: "bt-row" });
+  const tools = element("div", { class: "bt-row", role: "toolbar", "aria-label": "change the board" });
+  const picture = element("div", { class: "bt-picture" }, svg);
+  const root = element("div", { class: "bt-board" }, sliders, element("div", { class: "bt-both" }, picture, readout), tools, said);
+  el.append(root);
+
+  // -- state
+  const send = () => {
+    model.set("state", state);
+    model.save_changes();
+  };
+  const remember = () => {
+    history.push(state);
+    history = history.slice(-REMEMBERED);
+  };
+  const become = (changes, { recorded = true } = {}) => {
+    const next = { ...state, ...changes };
+    if (JSON.stringify(next) === JSON.stringify(state)) return;
+    if (recorded) remember();
+    state = next;
+    paint();
+    send();
+  };
+  const undo = () => {
+    if (!history.length) return;
+    state = history.pop();
+    paint();
+    send();
+  };
+
+  // -- moving points: a handle is a control point or one of the line's two
+  const handles = () => [
+    ...state.points.map((at, index) => ({ at, list: "points", index, name: nameOf(index) })),
+    ...(state.show.includes("line") ? state.line.map((at, index) => ({ at, list: "line", index, name: "PQ"[index] })) : []),
+  ];
+  const view = () => model.get("view").map(Number);
+  const inside = (steps, axis) => {
+    const [p, q] = grid();
+    const unit = Number(p) / Number(q);
+    const low = BigInt(Math.ceil(view()[axis] / unit - 1e-9));
+    const high = BigInt(Math.floor(view()[axis + 2] / unit + 1e-9));
+    return write(times([steps < low ? low : steps > high ? high : steps, 1n], grid()));
+  };
+  const move = (handle, to, options) => {
+    if (model.get("vertical") && handle.list === "points") to = [handle.at[0], to[1]];
+    const list = state[handle.list].map((at, i) => (i === handle.index ? to : at));
+    if (handle.list === "line" && list[0].join() === list[1].join()) return;
+    become({ [handle.list]: list }, options);
+  };
+  const drag = (handle, [sx, sy], options) => {
+    const [p, q] = grid();
+    const unit = Number(p) / Number(q);
+    move(handle, frame.back([sx, sy]).map((c, axis) => inside(BigInt(Math.round(c / unit)), axis)), options); // prettier-ignore
+  };
+  const step = (handle, direction, big) => {
+    const [p, q] = grid();
+    const to = handle.at.map((text, axis) => {
+      if (!direction[axis]) return text;
+      const [a, b] = read(text);
+      const whole = (a * q) / (b * p) - ((a * q) % (b * p) < 0n ? 1n : 0n); // the last grid line not above it
+      const on = (a * q) % (b * p) === 0n;
+      const steps = direction[axis] * (big ? BIG : 1n);
+      return inside(whole + steps + (steps < 0n && !on ? 1n : 0n), axis);
+    });
+    move(handle, to);
+  };
+
+  const where = (event) => {
+    const box = svg.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  };
+  const nearest = (at) =>
+    handles()
+      .map((handle) => ({ handle, distance: Math.hypot(...subtract(frame.place(handle.at.map(value)), at)) }))
+      .filter(({ distance }) => distance <= REACH * size())
+      .sort((one, other) => one.distance - other.distance)[0]?.handle;
+  let held = null;
+  svg.addEventListener("pointerdown", (event) => {
+    const handle = nearest(where(event));
+    if (!handle || event.button > 0) return;
+    event.preventDefault();
+    svg.setPointerCapture(event.pointerId);
+    held = { ...handle, fresh: true };
+    focusOn(handle);
+  });
+  svg.addEventListener("pointermove", (event) => {
+    if (!held) {
+      svg.style.cursor = nearest(where(event)) ? "grab" : "";
+      return;
+    }
+    const before = state;
+    drag({ ...held, at: state[held.list][held.index] }, where(event), { recorded: held.fresh });
+    if (state !== before) held.fresh = false;
+  });
+  for (const ending of ["pointerup", "pointercancel"]) svg.addEventListener(ending, () => (held = null));
+  svg.addEventListener("touchmove", (event) => held && event.preventDefault(), { passive: false });
+
+  const focusOn = ({ list, index }) => above.querySelector(`[data-handle="${list}${index}"]`)?.focus();
+  root.addEventListener("keydown", (event) => {
+    const handle = handles().find(({ list, index }) => event.target.dataset?.handle === list + index);
+    const typed = event.ctrlKey || event.metaKey ? `Ctrl+${event.key.toLowerCase()}` : event.key;
+    if (handle && ARROWS[event.key]) step(handle, ARROWS[event.key], event.shiftKey);
+    else if (handle && handle.list === "points" && ["Delete", "Backspace"].includes(typed)) remove();
+    else if (typed === "Ctrl+z") undo();
+    else {
+      if (!["Tab", "Escape"].includes(event.key)) event.stopPropagation();
+      return;
+    }
+    event.preventDefault();
+    event.stopPropagation();
+  });
+
+  // -- buttons
+  const current = () => (selected?.list === "points" && selected.index < state.points.length ? selected.index : state.points.length - 1);
+  const add = () => {
+    const i = current();
+    const points = state.points;
+    const half = fraction(1n, 2n);
+    const made = i + 1 < points.length ? mixed(points[i], points[i + 1], half) : mixed(points[i - 1], points[i], fraction(3n, 2n));
+    become({ points: [...points.slice(0, i + 1), made.map((text, axis) => clamped(text, axis)), ...points.slice(i + 1)], level: null }); // prettier-ignore
+    focusOn({ list: "points", index: i + 1 });
+  };
+  const clamped = (text, axis) => {
+    const bounds = [view()[axis], view()[axis + 2]];
+    if (value(text) >= bounds[0] && value(text) <= bounds[1]) return text;
+    const [p, q] = grid();
+    return inside(BigInt(Math.round((value(text) * Number(q)) / Number(p))), axis);
+  };
+  const remove = () => {
+    if (state.points.length <= 2) return;
+    const i = current();
+    become({ points: state.points.filter((_, k) => k !== i), level: null });
+    focusOn({ list: "points", index: Math.max(i - 1, 0) });
+  };
+  const button = (text, title, action) => element("button", { type: "button", title, onclick: action }, text);
+  const buttons = {
+    undo: button("Undo", "take the last change back (Ctrl+Z)", undo),
+    reset: button("Reset", "back to the start", () => become(model.get("home"))),
+    add: button("Add point", "a new point behind the marked one", add),
+    remove: button("Remove point", "take the marked point away (Delete)", remove),
+    elevate: button("Elevate", "the same curve, one degree higher", () => become({ points: elevated(state.points), level: null })),
+    projector: button("Projector", "thick lines and large letters", () => {
+      model.set("projector", !model.get("projector"));
+      model.save_changes();
+    }),
+  };
+  const layers = element("details", { class: "bt-layers" }, element("summary", {}, "Show"));
+  const boxes = Object.entries(model.get("layers")).map(([name, label]) => {
+    const box = element("input", {
+      type: "checkbox",
+      onchange: () => {
+        const shown = new Set(state.show);
+        if (box.checked) shown.add(name);
+        else shown.delete(name);
+        become({ show: Object.keys(PAINTED).filter((layer) => shown.has(layer)) });
+      },
+    });
+    layers.append(element("label", {}, box, " " + label));
+    return [name, box];
+  });
+  const degreeTools = model.get("vertical") ? [] : [buttons.add, buttons.remove, buttons.elevate];
+  tools.append(buttons.undo, buttons.reset, ...degreeTools, buttons.projector, ...(boxes.length > 1 ? [layers] : []));
+
+  // -- sliders, each for the layers that use it
+  const slider = (name, label, high, { low = 0, stride = 1, get, set, shown }) => {
+    const output = element("output");
+    const input = element("input", { type: "range", min: low, max: high, step: stride, "aria-label": label });
+    input.addEventListener("pointerdown", () => (input.grasped = false));
+    input.addEventListener("input", () => {
+      pause();
+      become(set(BigInt(input.value)), { recorded: !input.grasped });
+      input.grasped = true;
+    });
+    input.addEventListener("change", () => (input.grasped = false));
+    const box = element("label", { class: "bt-slider" }, element("span", {}, label), input, output);
+    return { name, box, input, output, get, shown, limit: typeof high === "function" ? high : null };
+  };
+  const uses = (...names) => () => names.some((name) => state.show.includes(name));
+  const parameter = (name, label, shown) =>
+    slider(name, label, TICKS, {
+      stride: 5,
+      get: () => [Math.round(value(state[name]) * TICKS), state[name]],
+      set: (ticks) => ({ [name]: write(fraction(ticks, BigInt(TICKS))) }),
+      shown,
+    });
+  const counter = (name, label, high, low, shown) =>
+    slider(name, label, high, { low, get: () => [state[name], String(state[name])], set: (x) => ({ [name]: Number(x) }), shown }); // prettier-ignore
+  const limits = model.get("limits");
+  const rows = [
+    parameter("t", "t", uses("levels", "halves", "tangents", "hodograph")),
+    parameter("a", "a", uses("part")),
+    parameter("b", "b", uses("part")),
+    counter("end", "circle at t =", 1, 0, uses("circle")),
+    counter("raised", "elevations", limits.raised, 1, uses("elevated")),
+    counter("depth", "halvings", limits.depth, 0, uses("halving")),
+  ];
+  const play = button("▶", "play: t runs from 0 to 1", () => (playing ? pause() : start()));
+  const back = button("−", "one level less", () => become({ level: Math.max(shownLevel() - 1, 0) }));
+  const forth = button("+", "one level more", () => become({ level: shownLevel() + 1 < state.points.length - 1 ? shownLevel() + 1 : null }));
+  const level = element("output");
+  const stepper = element("span", { class: "bt-slider", role: "group", "aria-label": "levels of de Casteljau's construction" }, "levels", back, level, forth); // prettier-ignore
+  const shownLevel = () => (state.level === null ? state.points.length - 1 : state.level);
+  sliders.append(rows[0].box, play, stepper, ...rows.slice(1).map((row) => row.box));
+
+  const start = () => {
+    remember();
+    const from = state.t === "1" ? 0 : value(state.t);
+    playing = { began: performance.now() - from * SECONDS * 1000 };
+    const tick = (now) => {
+      if (!playing) return;
+      const ticks = Math.min(Math.round(((now - playing.began) / (SECONDS * 1000)) * TICKS), TICKS);
+      become({ t: write(fraction(BigInt(ticks), BigInt(TICKS))) }, { recorded: false });
+      if (ticks === TICKS) return pause();
+      playing.next = requestAnimationFrame(tick);
+    };
+    playing.next = requestAnimationFrame(tick);
+    paint();
+  };
+  const pause = () => {
+    if (!playing) return;
+    cancelAnimationFrame(playing.next);
+    playing = null;
+    become({ t: write(fraction(5n * BigInt(Math.round((value(state.t) * TICKS) / 5)), BigInt(TICKS))) }, { recorded: false }); // prettier-ignore
+    paint();
+  };
+
+  // -- painting
+  const paint = () => {
+    const width = Math.max(Math.floor(picture.clientWidth), 240);
+    const marks = [...(model.get("answer").marks ?? []), ...scene(state)];
+    const two = marks.some((m) => m.frame);
+    const [height, rectangles] = layout(width, view(), two, size());
+    const frames = rectangles.map((rectangle, i) => frameOf(rectangle, i ? vectorView(marks) : view(), size()));
+    frame = frames[0];
+    root.classList.toggle("bt-projector", model.get("projector"));
+    svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    svg.setAttribute("width", width);
+    svg.setAttribute("height", height);
+    under.innerHTML = frames
+      .map(({ rectangle: [x, y, w, h] }, i) => {
+        const own = marks.filter((m) => m.frame === i).map((m) => drawn(m, frames[i], styles, size()));
+        return `<svg x="${x}" y="${y}" width="${w}" height="${h}" viewBox="${x} ${y} ${w} ${h}">${own.join("")}</svg>`;
+      })
+      .join("");
+    paintHandles();
+    paintControls();
+    paintReadout();
+  };
+
+  const paintHandles = () => {
+    const wanted = handles();
+    const key = wanted.map(({ list, index }) => list + index).join();
+    if (above.dataset.key !== key) {
+      const focused = above.querySelector(":focus")?.dataset.handle;
+      above.dataset.key = key;
+      above.innerHTML = wanted
+        .map(
+          ({ list, index, name }) =>
+            `<g data-handle="${list}${index}" class="bt-handle" tabindex="0" role="slider" aria-label="${
+              list === "points" ? "control point" : "point of the line"
+            } ${name}"><text text-anchor="middle">${name}</text><circle class="bt-ring"/><circle class="bt-dot"/></g>`,
+        )
+        .join("");
+      for (const group of above.children) {
+        const [, list, index] = group.dataset.handle.match(/([a-z]+)(\d+)/);
+        group.addEventListener("focus", () => (selected = { list, index: Number(index) }));
+      }
+      above.querySelector(`[data-handle="${focused}"]`)?.focus();
+    }
+    const places = wanted.map(({ at }) => frame.place(at.map(value)));
+    const names = beside(places.slice(0, state.points.length), size());
+    wanted.forEach(({ at, list, index }, i) => {
+      const group = above.children[i];
+      const [text, ring, dot] = group.children;
+      const [x, y] = places[i];
+      const [nx, ny] = list === "points" ? names[i] : [x, y - 20 * size()];
+      for (const circle of [ring, dot]) {
+        circle.setAttribute("cx", rounded(x));
+        circle.setAttribute("cy", rounded(y));
+      }
+      ring.setAttribute("r", 13 * size());
+      dot.setAttribute("r", 7 * size());
+      text.setAttribute("x", rounded(nx));
+      text.setAttribute("y", rounded(ny + 6 * size()));
+      group.setAttribute("aria-valuenow", value(at[1]));
+      group.setAttribute("aria-valuetext", `(${at.join(", ")})`);
+    });
+  };
+
+  const paintControls = () => {
+    for (const { box, input, output, get, shown } of rows) {
+      box.hidden = !shown();
+      if (box.hidden) continue;
+      const [ticks, text] = get();
+      input.step = input === rows[0].input && playing ? 1 : input.step;
+      input.value = ticks;
+      input.setAttribute("aria-valuetext", text);
+      output.textContent = text;
+    }
+    play.hidden = rows[0].box.hidden;
+    play.textContent = playing ? "⏸" : "▶";
+    play.setAttribute("aria-label", playing ? "pause" : "play");
+    stepper.hidden = !state.show.includes("levels");
+    level.textContent = `${shownLevel()} of ${state.points.length - 1}`;
+    back.disabled = shownLevel() === 0;
+    forth.disabled = state.level === null;
+    buttons.undo.disabled = !history.length;
+    buttons.add.disabled = buttons.elevate.disabled = state.points.length >= most;
+    buttons.remove.disabled = state.points.length <= 2;
+    buttons.projector.setAttribute("aria-pressed", model.get("projector"));
+    for (const [name, box] of boxes) box.checked = state.show.includes(name);
+  };
+
+  let telling = null;
+  const paintReadout = () => {
+    const answer = model.get("answer");
+    const fresh = JSON.stringify(answer.state) === JSON.stringify(state);
+    readout.classList.toggle("bt-stale", !fresh);
+    if (fresh && readout.innerHTML !== answer.html) readout.innerHTML = answer.html;
+    clearTimeout(telling);
+    if (fresh && said.textContent !== answer.text) {
+      if (svg.getAttribute("aria-label")) telling = setTimeout(() => (said.textContent = answer.text), 700);
+      svg.setAttribute("aria-label", answer.text);
+    }
+  };
+
+  const changed = () => {
+    const given = model.get("state");
+    if (JSON.stringify(given) !== JSON.stringify(state)) {
+      if (!held && !playing) {
+        remember();
+        state = given;
+      }
+    }
+    paint();
+  };
+  model.on("change:state", changed);
+  model.on("change:answer", paint);
+  model.on("change:projector", paint);
+  model.on("change:view", paint);
+  const watcher = new ResizeObserver(() => paint());
+  watcher.observe(picture);
+  paint();
+  return () => {
+    watcher.disconnect();
+    pause();
+    model.off("change:state", changed);
+    model.off("change:answer", paint);
+    model.off("change:projector", paint);
+    model.off("change:view", paint);
+  };
+}
+
+// ---- A page of its own, without Python: the numbers beside the picture are exact all the same ----
+
+const shown = (point) => `(${point.join(", ")})`;
+const table = (title, rows) =>
+  `<b>${escaped(title)}</b><table>${rows.map((row) => `<tr>${row.map((cell) => `<td>${escaped(cell)}</td>`).join("")}</tr>`).join("")}</table>`;
+
+function answerTo(state) {
+  const levels = exactLevels(state.points, state.t);
+  const last = state.level === null ? levels.length - 1 : state.level;
+  const triangle = state.points.map((_, row) => levels.slice(0, Math.min(row, last) + 1).map((level, k) => shown(level[row - k])));
+  const points = table("Control points", [state.points.map(shown)]);
+  const blocks = state.show.includes("levels")
+    ? [points, table(`De Casteljau's triangle at t = ${state.t}`, triangle)]
+    : [points, table(`The point at t = ${state.t}`, [[shown(levels.at(-1)[0])]])];
+  const text = `Control points: ${state.points.map(shown).join(" ")}; at t = ${state.t}: ${shown(levels.at(-1)[0])}`;
+  return { state, html: blocks.join(""), text, marks: [] };
+}
+
+export function standIn(values) {
+  const listeners = {};
+  const model = {
+    get: (name) => values[name],
+    set(name, to) {
+      values[name] = to;
+      if (name === "state") values.answer = answerTo(to);
+      for (const told of [`change:${name}`, ...(name === "state" ? ["change:answer"] : [])])
+        for (const listener of listeners[told] ?? []) listener();
+    },
+    on: (event, listener) => (listeners[event] ??= []).push(listener),
+    off() {},
+    save_changes() {},
+  };
+  values.answer = answerTo(values.state);
+  return model;
+}
+
+export default { render };

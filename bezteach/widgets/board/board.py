@@ -1,0 +1,155 @@
+"""The board: control points to drag, layers to switch on, exact numbers beside them."""
+
+from fractions import Fraction
+from pathlib import Path
+
+import anywidget
+import traitlets
+
+from . import scene, svg, words
+from .marks import STYLES
+from .state import DEEPEST, HIGHEST, LAYERS, MOST, State, exact, from_json, layers_of, state_of, to_json
+
+HERE = Path(__file__).parent
+STEPS = (Fraction(1), Fraction(1, 2), Fraction(1, 4), Fraction(1, 12), Fraction(1, 24))
+FINE = 12  # steps of the grid across the points, at least
+
+
+class Board(anywidget.AnyWidget):
+    """A Bézier curve whose control points are moved by mouse, touch and keyboard; its numbers are exact.
+
+    ``points``: 2 to 20 rows of two exact numbers; ``t`` in [0, 1]; ``show``: names of layers (``LAYERS``). Further
+    settings of a state by name: ``a``, ``b``, ``line`` (two points), ``level``, ``end``, ``depth``, ``raised``. Moved
+    points snap to multiples of ``grid``. ``vertical`` lets points move up and down only and keeps their number,
+    ``projector`` draws thick lines and large letters. ``offer`` names the layers that the reader may switch.
+
+    ``blocks`` is a function from a state to what is said beside the picture, in the place of the layers' own words.
+
+    A float stands for the fraction it is nearest to, if that has a small denominator. ``ValueError`` names a point
+    with other than two coordinates, what is no number, a parameter outside [0, 1], an unknown layer, too few or too
+    many points.
+
+    >>> board = Board([(0, 0), (1, 3), (2, 1), (3, 3)], t=Fraction(1, 3), show=("polygon", "curve", "levels"))
+    >>> board.t = Fraction(1, 2)
+    >>> board.state.t
+    Fraction(1, 2)
+    """
+
+    _esm = HERE / "board.js"
+    _css = HERE / "board.css"
+    state = traitlets.Instance(State).tag(
+        sync=True, to_json=lambda value, _: to_json(value), from_json=lambda value, _: from_json(value)
+    )
+    home = traitlets.Dict().tag(sync=True)
+    answer = traitlets.Dict().tag(sync=True)
+    view = traitlets.List(traitlets.Float()).tag(sync=True)
+    grid = traitlets.Unicode().tag(sync=True)
+    layers = traitlets.Dict().tag(sync=True)
+    styles = traitlets.Dict().tag(sync=True)
+    limits = traitlets.Dict().tag(sync=True)
+    most = traitlets.Int(MOST).tag(sync=True)
+    vertical = traitlets.Bool(False).tag(sync=True)
+    projector = traitlets.Bool(False).tag(sync=True)
+
+    def __init__(
+        self,
+        points,
+        t=Fraction(1, 3),
+        show=("polygon", "curve"),
+        *,
+        grid=None,
+        vertical=False,
+        projector=False,
+        offer=tuple(LAYERS),
+        view=None,
+        blocks=words.blocks,
+        marks=None,
+        **settings,
+    ):
+        start = state_of(points, t=t, show=show, **settings)
+        step = _step(start.points) if grid is None else exact(grid, "the grid's step")
+        if step <= 0:
+            raise ValueError(f"the grid's step is {step}, and must be positive")
+        self._blocks, self._marks = blocks, marks
+        super().__init__(
+            state=start,
+            home=to_json(start),
+            answer=self._answered(start),
+            view=list(svg.room(start.points) if view is None else view),
+            grid=str(step),
+            layers={name: LAYERS[name] for name in layers_of(offer)},
+            styles={name: style._asdict() for name, style in STYLES.items()},
+            limits={"depth": DEEPEST, "raised": HIGHEST},
+            vertical=vertical,
+            projector=projector,
+        )
+
+    @traitlets.observe("state")
+    def _answer(self, change):
+        self.answer = self._answered(change.new)
+
+    def _answered(self, now):
+        said = self._blocks(now)
+        extra = [mark._asdict() | {"style": mark.style._asdict()} for mark in self._extra(now)]
+        return {"state": to_json(now), "html": words.html(said), "text": words.text(said), "marks": extra}
+
+    def _extra(self, now):
+        return self._marks(now) if self._marks else []
+
+    def change(self, **settings):
+        """Set any settings of the state at once; ``ValueError`` if one is wrong, and then nothing changes."""
+        self.state = state_of(**(self.state._asdict() | settings))
+
+    @property
+    def points(self):
+        """The control points, a tuple of pairs of Fractions."""
+        return self.state.points
+
+    @points.setter
+    def points(self, given):
+        self.change(points=given, level=None)
+
+    @property
+    def t(self):
+        """The parameter, a Fraction in [0, 1]."""
+        return self.state.t
+
+    @t.setter
+    def t(self, given):
+        self.change(t=given)
+
+    @property
+    def text(self):
+        """What the board says, in words."""
+        return words.text(self._blocks(self.state))
+
+    @property
+    def marks(self):
+        """What the board shows, as marks."""
+        return self._extra(self.state) + scene.scene(self.state)
+
+    @property
+    def svg(self):
+        """The picture as SVG text, for a stored notebook and a printout."""
+        return svg.picture(self.marks, self.view, self.text)
+
+    def figure(self):
+        """The picture as a matplotlib ``Figure`` for a handout."""
+        from ...figures import drawn
+
+        return drawn(self.marks, self.view, self.text)
+
+    def __repr__(self):
+        return self.text
+
+    def _repr_mimebundle_(self, **kwargs):
+        live = super()._repr_mimebundle_(**kwargs)
+        data, metadata = live if isinstance(live, tuple) else (live, {})
+        return (data or {}) | {"text/plain": self.text, "image/svg+xml": self.svg}, metadata
+
+
+def _step(points):
+    """The largest of the usual steps that leaves enough of them across the points."""
+    x0, y0, x1, y1 = svg.room(points, spare=0)
+    span = max(x1 - x0, y1 - y0)
+    return next((step for step in STEPS if FINE * step <= span), STEPS[-1])

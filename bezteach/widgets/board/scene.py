@@ -1,0 +1,173 @@
+"""The marks of a board's layers, each layer a function of the state; ``board.js`` paints the same ones in a browser."""
+
+import numpy as np
+
+from ... import numeric
+from .crossings import curve_crossings, polygon_crossings
+from .marks import STYLES, Mark
+
+SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
+
+def scene(state):
+    """The marks of all layers shown, from the bottom to the top, the control points and their names last."""
+    points = np.asarray(state.points, dtype=float)
+    marks = [mark for name in state.show for mark in PAINTED[name](points, state)]
+    names = tuple(f"b{str(i).translate(SUBSCRIPTS)}" for i in range(len(points)))
+    handles = [_mark("dots", points, "new"), Mark("names", _rows(points), STYLES["new"], names)]
+    return marks + handles
+
+
+def _mark(kind, points, style, frame=0):
+    return Mark(kind, _rows(points), STYLES[style], frame=frame)
+
+
+def _rows(points):
+    return tuple(map(tuple, np.asarray(points, dtype=float).tolist()))
+
+
+def _polygon(points, state):
+    return [_mark("line", points, "polygon")]
+
+
+def _curve(points, state):
+    return [_mark("curve", points, "curve")]
+
+
+def _levels(points, state):
+    last = len(points) - 1 if state.level is None else state.level
+    levels = numeric.de_casteljau(points, float(state.t))[1 : last + 1]
+    lines = [_mark("line", level, "level") for level in levels if len(level) > 1]
+    dots = [_mark("dots", level, "new" if len(level) > 1 else "point") for level in levels]
+    return lines + dots
+
+
+def _halves(points, state):
+    left, right = numeric.split(points, float(state.t))
+    return [
+        _mark("curve", left, "left-curve"),
+        _mark("curve", right, "right-curve"),
+        _mark("line", left, "left"),
+        _mark("line", right, "right"),
+        _mark("dots", left, "left"),
+        _mark("squares", right, "right"),
+    ]
+
+
+def _part(points, state):
+    part = numeric.segment(points, float(state.a), float(state.b))
+    return [_mark("curve", part, "right-curve"), _mark("line", part, "right"), _mark("squares", part, "right")]
+
+
+def _tangents(points, state):
+    levels = numeric.de_casteljau(points, float(state.t))
+    pairs = [points[:2], levels[-2], points[-2:]]
+    return [_mark("whole", pair, "tangent") for pair in pairs if np.ptp(pair, axis=0).any()] + [
+        _mark("dots", levels[-1], "point")
+    ]
+
+
+def _hodograph(points, state):
+    arrows = numeric.hodograph(points)
+    tip = numeric.evaluate(arrows, float(state.t))
+    return [
+        _mark("whole", [(0, 0), (1, 0)], "axis", 1),
+        _mark("whole", [(0, 0), (0, 1)], "axis", 1),
+        _mark("line", arrows, "polygon", 1),
+        _mark("curve", arrows, "hodograph", 1),
+        _mark("dots", arrows, "new", 1),
+        _mark("line", [(0, 0), tip], "vector", 1),
+        _mark("dots", [tip], "point", 1),
+        _mark("dots", numeric.de_casteljau(points, float(state.t))[-1], "point"),
+    ]
+
+
+def _hull(points, state):
+    (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
+    box = [(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)]
+    return [_mark("area", hull(points), "hull"), _mark("line", box, "box")]
+
+
+def hull(points):
+    """The corners of the convex hull, counter-clockwise from the lowest of the leftmost points (Andrew's chains)."""
+    ordered = sorted(set(map(tuple, points)))
+    if len(ordered) < 3:
+        return ordered
+    return _chain(ordered)[:-1] + _chain(ordered[::-1])[:-1]
+
+
+def _chain(ordered):
+    corners = []
+    for point in ordered:
+        while len(corners) > 1 and _turn(corners[-2], corners[-1], point) <= 0:
+            corners.pop()
+        corners.append(point)
+    return corners
+
+
+def _turn(p, q, r):
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+
+def _circle(points, state):
+    found = end_circle(points[::-1] if state.end else points)
+    if found is None:
+        return []
+    return [_mark("circle", found, "circle"), _mark("line", found, "axis"), _mark("dots", found, "new")]
+
+
+def end_circle(points):
+    """(centre, b_0) of the circle of curvature at t = 0, None where there is none."""
+    first = points[1] - points[0]
+    second = points[min(2, len(points) - 1)] - points[0]
+    area = first[0] * second[1] - first[1] * second[0]
+    n = len(points) - 1
+    if area == 0:
+        return None
+    # the radius is n |first|^3 / ((n-1) area), measured along the normal, which is as long as the edge
+    away = n * (first @ first) / ((n - 1) * area)
+    return points[0] + away * np.array([-first[1], first[0]]), points[0]
+
+
+def _line(points, state):
+    line = np.asarray(state.line, dtype=float)
+    marks = [_mark("whole", line, "line")]
+    for kind, places, style in (
+        ("squares", polygon_crossings(points, line), "polygon-crossing"),
+        ("dots", curve_crossings(points, line), "crossing"),
+    ):
+        marks += [_mark(kind, places, style)] if len(places) else []
+    return marks
+
+
+def _elevated(points, state):
+    marks = []
+    for r in range(1, state.raised + 1):
+        style = ("even", "odd")[r % 2]
+        raised = numeric.elevate(points, r)
+        marks += [_mark("line", raised, style), _mark("dots", raised, style)]
+    return marks
+
+
+def _halving(points, state):
+    marks = []
+    for i, piece in enumerate(numeric.subdivide(points, state.depth)):
+        style = ("even", "odd")[i % 2]
+        marks += [_mark("line", piece, style), _mark("dots", piece, style)]
+    return marks
+
+
+PAINTED = {
+    "hull": _hull,
+    "polygon": _polygon,
+    "curve": _curve,
+    "elevated": _elevated,
+    "halving": _halving,
+    "circle": _circle,
+    "tangents": _tangents,
+    "line": _line,
+    "levels": _levels,
+    "halves": _halves,
+    "part": _part,
+    "hodograph": _hodograph,
+}
