@@ -1,8 +1,8 @@
 """The ledger: one claim for every statement of the four sources, with its proof, and what the sources print wrongly.
 
-``claims/`` holds the mathematics, a module a subject; ``sources/`` reads each source in its own order and names the
-claim that stands at each place. ``judge`` gives the verdict on a claim, ``show`` displays it with its steps, ``errata``
-lists the slips.
+``claims/`` holds the mathematics, a module a subject, written with the ``forms``; ``sources/`` reads each source in its
+own order and names the claim that stands at each place. ``judge`` gives the verdict on a claim, ``show`` displays it
+with its steps, ``errata`` lists the slips.
 """
 
 from difflib import get_close_matches

@@ -4,8 +4,6 @@ from collections import Counter
 
 from .claim import Argument, Chain, given_latex, given_plain, statement_latex
 
-MARKS = {"PROVED": "✓", "ARGUED": "✓"}
-
 
 def claim_record(judged, places):
     """A claim's verdict as JSON takes it; ``places`` is [(source, place)]."""
@@ -46,40 +44,44 @@ def erratum_record(erratum):
     }
 
 
-def plain(statement, title=""):
-    """A statement in one line of plain text."""
+def plain(statement, title="", given=None):
+    """A statement in one line of plain text, with its ranges; an argument is its title."""
+    where = f"   for {given_plain(given)}" if given else ""
     if isinstance(statement, Argument | str):
-        return statement if isinstance(statement, str) else title
+        return (statement if isinstance(statement, str) else title) + where
     if isinstance(statement, Chain):
-        return " = ".join(map(str, statement.lines))
-    return f"{statement.lhs} {'=' if statement.rel_op == '==' else statement.rel_op} {statement.rhs}"
-
-
-def _for(given):
-    return f"   for {given_plain(given)}" if given else ""
+        return " = ".join(map(str, statement.lines)) + where
+    return f"{statement.lhs} {'=' if statement.rel_op == '==' else statement.rel_op} {statement.rhs}" + where
 
 
 def claim_line(judged, width):
     """One line of the table: status, id, what it says, how long it took."""
-    mark = MARKS.get(judged.status, "✗") if judged.holds else "✗"
+    mark = "✓" if judged.holds else "✗"
     end = f" {judged.seconds:6.2f} s"
     line = f"{mark} {judged.status:9} {judged.claim.id:32} {judged.claim.title}"
     room = max(width - len(end), 60)
     return line[: room - 1].ljust(room) + end
 
 
-def count_line(results):
-    """How many claims have which status, and how many false neighbours were refuted."""
-    counts = Counter(judged.status for judged in results)
+def counts(results):
+    """How many claims have which status, and how many false neighbours were refuted: two pieces of text."""
+    statuses = Counter(judged.status for judged in results).most_common()
     twins = [twin.verdict.status for judged in results for twin in judged.twins]
-    parts = ", ".join(f"{number} {status}" for status, number in sorted(counts.items(), key=lambda item: -item[1]))
-    return f"{len(results)} claims: {parts}; {twins.count('REFUTED')} of {len(twins)} false neighbours REFUTED"
+    return (
+        f"{len(results)} claims: {', '.join(f'{number} {status}' for status, number in statuses)}",
+        f"{twins.count('REFUTED')} of {len(twins)} false neighbours REFUTED",
+    )
+
+
+def count_line(results):
+    """The counts in one line."""
+    return "; ".join(counts(results))
 
 
 def erratum_lines(erratum):
     """A slip for a terminal: where, what is printed, why not, and what is true."""
-    printed = plain(erratum.slip.printed) + _for(erratum.slip.given)
-    corrected = plain(erratum.claim.statement, erratum.claim.title) + _for(erratum.claim.given)
+    printed = plain(erratum.slip.printed, given=erratum.slip.given)
+    corrected = plain(erratum.claim.statement, erratum.claim.title, erratum.claim.given)
     why = "fails" if erratum.slip.kind == "refuted" else "because"
     return [
         f"{erratum.source}, {erratum.place}  [{erratum.slip.kind}]",

@@ -3,7 +3,7 @@
 from bezteach.display import Page, escaped
 from bezteach.symbolic import Derivation, Step, latex
 
-from .claim import Argument, Chain, Computed, Known, Shown, given_latex, given_plain, statement_latex
+from .claim import Argument, Chain, Computed, Known, Shown, given_latex, statement_latex
 from .report import erratum_lines, plain
 
 MARK = {Known: "claim", Shown: "proved", Computed: "computed"}
@@ -37,7 +37,7 @@ def _text(judged, places):
             beside = f" {plain(step.statement)}" if isinstance(step, Shown) else ""
             yield f"  {number}. [{_mark(step)}] {step.text}{beside}"
         return
-    yield f"  {plain(claim.statement)}" + f"   for {given_plain(claim.given)}" * bool(claim.given)
+    yield f"  {plain(claim.statement, given=claim.given)}"
     yield f"{judged.status} ({judged.method})"
     yield from (f"  {step!r}" for step in (proof(judged) if judged.settled else [judged.verdict]))
     for twin in judged.twins:

@@ -4,21 +4,20 @@ import sys
 from collections import Counter
 from pathlib import Path
 
+from .report import counts
+
 BEGIN, END = "<!-- ledger: written by python -m bezteach.ledger.summary -->\n", "<!-- end of ledger -->\n"
 
 
 def summary(results, readings, slips):
     """The counts as Markdown: claims by status, false neighbours, and for each source its statements and slips."""
-    counts = Counter(judged.status for judged in results)
-    twins = [twin.verdict.status for judged in results for twin in judged.twins]
     kinds = Counter((slip.source, slip.slip.kind) for slip in slips)
-    words = ", ".join(f"{number} {status}" for status, number in counts.most_common())
     rows = [
         f"| {source} | {len(rows)} | {kinds[source, 'refuted']} | {kinds[source, 'amended']} |\n"
         for source, rows in readings.items()
     ]
     return (
-        f"{len(results)} claims: {words}. {twins.count('REFUTED')} of {len(twins)} false neighbours REFUTED.\n\n"
+        ". ".join(counts(results)) + ".\n\n"
         "| source | statements | misprints refuted | loose ones amended |\n|---|---|---|---|\n" + "".join(rows)
     )
 

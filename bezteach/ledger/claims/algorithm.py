@@ -2,16 +2,14 @@
 
 from fractions import Fraction
 
-from sympy import Add, Ge, Integer, Interval, oo
+from sympy import Add, Ge, Integer, oo
 
-from bezteach.symbolic import b, i, r, step, t
+from bezteach.symbolic import b, i, r, t
 
 from ..claim import Computed, Known, Shown, argued, claim, eq
-from ..exact import curve_point
-from ..planar import levels
+from ..forms import UNIT, G
+from ..planar import curve_point, levels
 
-G = step(t)
-UNIT = {t: Interval(0, 1)}
 ROUNDOFF = Fraction(1, 2**53)
 HEIGHTS = [[1], [3, -1], [0.1, -7.3, 2.2], [5, -5, 5, -5, 5], [(-1.7) ** k for k in range(12)]]
 

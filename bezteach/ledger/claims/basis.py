@@ -20,11 +20,9 @@ from sympy import (
 from bezteach.symbolic import B, i, n, t
 
 from ..claim import claim
+from ..forms import FROM_ONE, UNIT, WITHIN
 
 ANY = Symbol("i", integer=True)
-WITHIN = {i: (0, n)}
-FROM_ONE = {n: (1, oo)}
-UNIT = {t: Interval(0, 1)}
 ONE = Pow(Add(t, 1 - t, evaluate=False), n, evaluate=False)
 
 CLAIMS = [

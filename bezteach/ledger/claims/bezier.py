@@ -1,17 +1,17 @@
 """Bézier's own form of the curve: vectors from point to point, and the functions f_i that go with them."""
 
-from sympy import Derivative, Integer, Sum, binomial, oo
+from sympy import Derivative, Integer, Sum, binomial
 
 from bezteach.symbolic import B, b, i, j, n, t
 
 from ..claim import claim
+from ..forms import FROM_ONE, curve
 
-FROM_ONE = {n: (1, oo)}
 TAIL = Sum(B(j, n, t), (j, i, n))
 IN_POWERS = Sum((-1) ** (i + j) * binomial(n, j) * binomial(j - 1, i - 1) * t**j, (j, i, n))
 
 OWN_FORM = b[0] + Sum((b[i] - b[i - 1]) * TAIL, (i, 1, n))
-CURVE = Sum(b[j] * B(j, n, t), (j, 0, n))
+CURVE = curve(index=j)
 
 CLAIMS = [
     claim(

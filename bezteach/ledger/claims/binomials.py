@@ -5,6 +5,7 @@ from sympy import Integer, Symbol, binomial, factorial, oo, symbols
 from bezteach.symbolic import i, n
 
 from ..claim import Shown, argued, claim, eq
+from ..forms import FROM_ONE, WITHIN
 
 ANY = Symbol("i", integer=True)
 x, y = symbols("x y", real=True)
@@ -18,7 +19,7 @@ CLAIMS = [
         "binomial/factorials",
         "a binomial coefficient by factorials",
         (binomial(n, i), factorial(n) / (factorial(n - i) * factorial(i))),
-        {i: (0, n)},
+        WITHIN,
         twins=[
             (binomial(n, i), factorial(n) / factorial(n - i)),
             (binomial(n, i), factorial(n) / (factorial(n) * factorial(i))),
@@ -48,7 +49,7 @@ CLAIMS = [
             "For 1 <= i <= n both are there, and together they are the term with i for n + 1 (a quotient of the terms, "
             "no sum, is all that this step takes):",
             STEP,
-            {n: (1, oo), i: (1, n)},
+            FROM_ONE | {i: (1, n)},
         ),
         "At i = 0 there is the second alone, y times C(n, 0) y^n, at i = n + 1 the first alone, x times C(n, n) x^n; "
         "and C(n, 0) = C(n + 1, 0) = 1, C(n, n) = C(n + 1, n + 1) = 1.",

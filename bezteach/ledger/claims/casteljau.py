@@ -1,19 +1,11 @@
 """The three-tangent theorem, de Casteljau's algorithm, and its operator form."""
 
-from sympy import Derivative, Integer, Mul, Pow, Subs, Sum, binomial, oo
+from sympy import Derivative, Integer, Mul, Pow, Sum, binomial, oo
 
-from bezteach.symbolic import B, E, b, i, j, k, n, step, t
+from bezteach.symbolic import E, b, i, j, k, n, step, t
 
 from ..claim import claim
-
-G = step(t)
-FROM_ONE = {n: (1, oo)}
-
-
-def curve(degree, first=0):
-    """The curve of this degree whose first control point is b[first]: with first = j it is b_j^degree."""
-    return Sum(B(i, degree, t) * b[i + first], (i, 0, degree))
-
+from ..forms import FROM_ONE, FROM_TWO, G, curve, derivative_at
 
 QUADRATIC = curve(2)
 FIRST, SECOND = (1 - t) * b[0] + t * b[1], (1 - t) * b[1] + t * b[2]
@@ -59,14 +51,14 @@ THREE_TANGENTS = [
     claim(
         "three-tangents/tangent/start",
         "the first edge has the direction of the quadratic curve at its start",
-        (Subs(Derivative(QUADRATIC, t), t, 0), Mul(2, b[1] - b[0], evaluate=False)),
-        twins=[(Subs(Derivative(QUADRATIC, t), t, 0), Mul(2, b[2] - b[0], evaluate=False))],
+        (derivative_at(0, QUADRATIC), Mul(2, b[1] - b[0], evaluate=False)),
+        twins=[(derivative_at(0, QUADRATIC), Mul(2, b[2] - b[0], evaluate=False))],
     ),
     claim(
         "three-tangents/tangent/end",
         "the last edge has the direction of the quadratic curve at its end",
-        (Subs(Derivative(QUADRATIC, t), t, 1), Mul(2, b[2] - b[1], evaluate=False)),
-        twins=[(Subs(Derivative(QUADRATIC, t), t, 1), b[2] - b[1])],
+        (derivative_at(1, QUADRATIC), Mul(2, b[2] - b[1], evaluate=False)),
+        twins=[(derivative_at(1, QUADRATIC), b[2] - b[1])],
     ),
     claim(
         "three-tangents/tangent/inner",
@@ -160,7 +152,7 @@ OPERATOR = [
         "casteljau/operator",
         "one step after the other: the curve is the n-th power of the step",
         [curve(n), G * curve(n - 1), G**2 * curve(n - 2), G ** (n - 1) * curve(1), G**n * b[0]],
-        {n: (2, oo)},
+        FROM_TWO,
         twins=[[curve(n), G ** (n - 1) * b[0]], [curve(n), G**2 * curve(n - 1)]],
     ),
 ]

@@ -8,8 +8,9 @@ from sympy.abc import t as variable
 
 from bezteach.symbolic import B, i, n, t
 
-from .. import exact
 from ..claim import Computed, Known, Shown, argued, eq
+from ..forms import WITHIN
+from ..signs import along_curve, bernstein, minors, roots_inside, sign_changes
 
 MOST_DEGREE = 4
 
@@ -17,7 +18,7 @@ MOST_DEGREE = 4
 def wiggles():
     """The products of m factors t - k/(m + 1) have m roots in (0, 1), for m to 8."""
     return all(
-        exact.roots_inside(
+        roots_inside(
             Poly(Mul(*[variable - Rational(place, count + 1) for place in range(1, count + 1)]), variable), 0, 1
         )
         == [1] * count
@@ -28,7 +29,7 @@ def wiggles():
 def no_more_roots_than_changes():
     """For all values -1, 0, 1 at the control points, not all 0, up to the degree."""
     return all(
-        sum(exact.roots_inside(exact.along_curve(values), 0, 1)) <= exact.sign_changes(values)
+        sum(roots_inside(along_curve(values), 0, 1)) <= sign_changes(values)
         for degree in range(MOST_DEGREE + 1)
         for values in product((-1, 0, 1), repeat=degree + 1)
         if next(filter(None, values), 0) == 1
@@ -39,9 +40,9 @@ def positive_minors():
     return all(
         minor > 0
         for degree in range(MOST_DEGREE + 1)
-        for minor in exact.minors(
+        for minor in minors(
             [
-                [exact.bernstein(j, degree, Fraction(place, degree + 2)) for j in range(degree + 1)]
+                [bernstein(j, degree, Fraction(place, degree + 2)) for j in range(degree + 1)]
                 for place in range(1, degree + 2)
             ]
         )
@@ -80,7 +81,7 @@ CLAIMS = [
             "Each function is a power in disguise: dividing by (1 - t)^i, not 0 for 0 < t < 1, gives "
             "B_{i,n}(t) = (1 - t)^n C(n, i) x^i with x = t/(1 - t).",
             eq((1 - t) ** i * B(i, n, t), (1 - t) ** n * binomial(n, i) * t**i),
-            {i: (0, n)},
+            WITHIN,
         ),
         "As t runs from 0 to 1, x runs through all positive numbers once, with positive speed. So the roots of l in "
         "0 < t < 1 are the positive roots of q(x), the sum of the C(n, i) d_i x^i, with the same multiplicities; and "

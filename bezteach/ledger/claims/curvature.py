@@ -2,12 +2,13 @@
 
 from fractions import Fraction
 
-from sympy import Interval, Mul, Pow, Symbol, oo, symbols
+from sympy import Interval, Mul, Symbol, oo, symbols
 
 from bezteach.symbolic import n
 
 from ..claim import Computed, Known, argued, claim
-from ..planar import cross, curvature_squared, dot, minus
+from ..forms import quotient
+from ..planar import cross, curvature_squared, dot, minus, times
 
 x, y, v, w = symbols("x y v w", real=True)
 POLYGONS = [
@@ -20,32 +21,18 @@ POLYGONS = [
 ]
 
 
-def over(above, below):
-    """A fraction in which nothing is cancelled."""
-    return Mul(above, Pow(below, -1, evaluate=False), evaluate=False)
-
-
-def across(first, second):
-    """A coordinate of the cross product, from the two other coordinates of both vectors."""
-    return first[0] * second[1] - first[1] * second[0]
-
-
-def times(factor, vector):
-    return [factor * part for part in vector]
-
-
 def from_edges(end, edge, area):
     """The two claims of the curvature at an end: its second equality, and false ones."""
     printed = Mul(n**2 * (n - 1) * area, n**-3, edge**-3, evaluate=False)
-    cubed, squared = over(area, edge**3), over(area, edge**2)
+    cubed, squared = quotient(area, edge**3), quotient(area, edge**2)
     return claim(
         f"curve/curvature/{end}",
         f"the curvature at the {end}, the powers of n cancelled",
-        (printed, Mul(over(n - 1, n), cubed, evaluate=False)),
+        (printed, Mul(quotient(n - 1, n), cubed, evaluate=False)),
         {n: (1, oo), edge: Interval.open(0, oo)},
         twins=[
-            (printed, Mul(over(n, n - 1), cubed, evaluate=False)),
-            (printed, Mul(over(n - 1, n), squared, evaluate=False)),
+            (printed, Mul(quotient(n, n - 1), cubed, evaluate=False)),
+            (printed, Mul(quotient(n - 1, n), squared, evaluate=False)),
         ],
     )
 
@@ -66,16 +53,16 @@ def at_end(points):
 
 
 EDGE, NEXT = (x, y), (v, w)
-BEND = times(n * (n - 1), [v - x, w - y])
-AREA = n**2 * (n - 1) * across(EDGE, NEXT)
+BEND = times(n * (n - 1), minus(NEXT, EDGE))
+AREA = n**2 * (n - 1) * cross(EDGE, NEXT)
 NO_POWER = "The cube of the length of n times an edge is n^3 times the cube of the edge's length: the denominator."
 
 CLAIMS = [
     claim(
         "curve/curvature/start/cross",
         "a coordinate of p' x p'' at the start, from two coordinates (x, y) and (v, w) of the first two edges",
-        (across(times(n, EDGE), BEND), AREA),
-        twins=[(across(times(n, EDGE), BEND), -AREA), (across(times(n, EDGE), BEND), n * AREA)],
+        (cross(times(n, EDGE), BEND), AREA),
+        twins=[(cross(times(n, EDGE), BEND), -AREA), (cross(times(n, EDGE), BEND), n * AREA)],
     ),
     argued(
         "curve/curvature/start/derivatives",
@@ -97,8 +84,8 @@ CLAIMS = [
     claim(
         "curve/curvature/end/cross",
         "a coordinate of p' x p'' at the end, from two coordinates (x, y) and (v, w) of the last two edges",
-        (across(times(n, NEXT), BEND), AREA),
-        twins=[(across(times(n, NEXT), BEND), -AREA), (across(times(n, EDGE), times(-1, BEND)), AREA)],
+        (cross(times(n, NEXT), BEND), AREA),
+        twins=[(cross(times(n, NEXT), BEND), -AREA), (cross(times(n, EDGE), times(-1, BEND)), AREA)],
     ),
     argued(
         "curve/curvature/end/derivatives",

@@ -1,24 +1,19 @@
 """The Bézier curve: what it is, and how it goes with its control points and its parameter."""
 
-from sympy import Add, Interval, KroneckerDelta, Mul, Sum, Symbol, binomial, oo, symbols
+from sympy import Interval, KroneckerDelta, Mul, Sum, Symbol, binomial, oo, symbols
 
 from bezteach.symbolic import B, b, i, j, k, n, t, u
 
 from ..claim import claim
+from ..forms import FROM_ONE, curve, difference
 
 a, c, h, p, q, v = symbols("a c h p q v", real=True)
 A = Symbol("A", real=True)
-FROM_ONE = {n: (1, oo)}
-CURVE = Sum(B(j, n, t) * b[j], (j, 0, n))
 
-
-def reparametrised(argument):
-    """The curve at another argument."""
-    return Sum(B(i, n, argument) * b[i], (i, 0, n))
-
-
-LOCAL = Mul(Add(a + h * t, -a, evaluate=False), 1 / h, evaluate=False)
-MOVED = Sum(B(i, n, t) * (b[i] + v * KroneckerDelta(i, j)), (i, 0, n))
+CURVE = curve(index=j)
+AT_U = curve(at=u, index=j)
+LOCAL = Mul(difference(a + h * t, a), 1 / h, evaluate=False)
+MOVED_BY = difference(Sum(B(i, n, t) * (b[i] + v * KroneckerDelta(i, j)), (i, 0, n)), curve())
 
 CLAIMS = [
     claim(
@@ -54,11 +49,8 @@ CLAIMS = [
     claim(
         "curve/symmetry",
         "the control points in reverse order give the same curve, run through backwards",
-        (CURVE.subs(t, u), Sum(B(j, n, 1 - u) * b[n - j], (j, 0, n))),
-        twins=[
-            (CURVE.subs(t, u), Sum(B(j, n, u) * b[n - j], (j, 0, n))),
-            (CURVE.subs(t, u), Sum(B(j, n, 1 - u) * b[j], (j, 0, n))),
-        ],
+        (AT_U, Sum(B(j, n, 1 - u) * b[n - j], (j, 0, n))),
+        twins=[(AT_U, Sum(B(j, n, u) * b[n - j], (j, 0, n))), (AT_U, curve(at=1 - u, index=j))],
     ),
     claim(
         "curve/linear-precision",
@@ -73,22 +65,16 @@ CLAIMS = [
     claim(
         "curve/reparametrised",
         "the curve over [a, a + h]: the parameter a + h t there is t on [0, 1]",
-        (reparametrised(t), reparametrised(LOCAL)),
+        (curve(), curve(at=LOCAL)),
         {h: Interval.open(0, oo)},
-        twins=[
-            (reparametrised(t), reparametrised((a + h * t) / h)),
-            (reparametrised(t), reparametrised(Add(a + h * t, -a, evaluate=False))),
-        ],
+        twins=[(curve(), curve(at=(a + h * t) / h)), (curve(), curve(at=difference(a + h * t, a)))],
     ),
     claim(
         "curve/moved",
         "moving b_j by v moves the point at t by B_j,n(t) times v",
-        (Add(MOVED, -reparametrised(t), evaluate=False), v * B(j, n, t)),
+        (MOVED_BY, v * B(j, n, t)),
         {j: (0, n)},
-        twins=[
-            (Add(MOVED, -reparametrised(t), evaluate=False), v),
-            (Add(MOVED, -reparametrised(t), evaluate=False), v * B(n - j, n, t)),
-        ],
+        twins=[(MOVED_BY, v), (MOVED_BY, v * B(n - j, n, t))],
     ),
     claim(
         "curve/moved/together",

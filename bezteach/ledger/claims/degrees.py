@@ -1,13 +1,12 @@
 """The Bernstein basis from one degree to another: recursion, elevation, subdivision, products, sums with the index."""
 
-from sympy import Integral, Sum, Symbol, binomial, oo
+from sympy import Integral, Sum, Symbol, binomial
 
 from bezteach.symbolic import B, i, j, n, r, t, u
 
 from ..claim import claim
+from ..forms import FROM_ONE, WITHIN
 
-WITHIN = {i: (0, n)}
-FROM_ONE = {n: (1, oo)}
 c = Symbol("c", real=True)
 m = Symbol("m", integer=True, nonnegative=True)
 

@@ -5,8 +5,7 @@ from sympy import Sum
 from bezteach.symbolic import B, b, i, n, t
 
 from ..claim import claim
-
-CURVE = Sum(B(i, n, t) * b[i], (i, 0, n))
+from ..forms import curve
 
 
 def elevated(first, second):
@@ -24,19 +23,19 @@ CLAIMS = [
     claim(
         "curve/elevation",
         "the same curve with degree n + 1: each new point is a mean of two neighbours",
-        (CURVE, elevated((n + 1 - i) / (n + 1), i / (n + 1))),
+        (curve(), elevated((n + 1 - i) / (n + 1), i / (n + 1))),
         twins=[
-            (CURVE, elevated(i / (n + 1), (n + 1 - i) / (n + 1))),
-            (CURVE, elevated((n - i) / n, i / n)),
+            (curve(), elevated(i / (n + 1), (n + 1 - i) / (n + 1))),
+            (curve(), elevated((n - i) / n, i / n)),
         ],
     ),
     claim(
         "elevation/points",
         "n + 2 points for the same curve: both ends, and means of neighbours between them",
-        (CURVE, with_ends(i / (n + 1), 1 - i / (n + 1))),
+        (curve(), with_ends(i / (n + 1), 1 - i / (n + 1))),
         twins=[
-            (CURVE, with_ends(1 - i / (n + 1), i / (n + 1))),
-            (CURVE, with_ends((i - 1) / (n + 1), 1 - (i - 1) / (n + 1))),
+            (curve(), with_ends(1 - i / (n + 1), i / (n + 1))),
+            (curve(), with_ends((i - 1) / (n + 1), 1 - (i - 1) / (n + 1))),
         ],
     ),
 ]

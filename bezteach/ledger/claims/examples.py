@@ -5,7 +5,8 @@ from sympy import Derivative, Ge, ImmutableMatrix, IndexedBase, Integer, MatMul,
 from bezteach.symbolic import B, b, i, n, t
 
 from ..claim import Computed, Known, Shown, argued, claim, eq
-from ..exact import side
+from ..forms import WITHIN, curve, curve_of, derivative_at
+from ..planar import cross
 
 a, e = IndexedBase("a"), IndexedBase("e")
 a1, a2, b1, b2 = symbols("a_1 a_2 b_1 b_2", real=True)
@@ -13,7 +14,7 @@ a1, a2, b1, b2 = symbols("a_1 a_2 b_1 b_2", real=True)
 POWERS = (t**2, t, 1)
 BERNSTEIN = ((1 - t) ** 2, 2 * t * (1 - t), t**2)
 QUADRATIC = a[2] * t**2 + a[1] * t + a[0]
-CUBIC = Sum(B(i, 3, t) * b[i], (i, 0, 3))
+CUBIC = curve(3)
 
 
 def weighted(weights, points):
@@ -28,10 +29,10 @@ CLAIMS = [
     claim(
         "examples/quadratic/bases",
         "a quadratic curve in powers of t and in the Bernstein basis",
-        (QUADRATIC, B(0, 2, t) * a[0] + B(1, 2, t) * (a[0] + a[1] / 2) + B(2, 2, t) * (a[0] + a[1] + a[2])),
+        (QUADRATIC, curve_of([a[0], a[0] + a[1] / 2, a[0] + a[1] + a[2]])),
         twins=[
-            (QUADRATIC, B(0, 2, t) * a[0] + B(1, 2, t) * (a[0] + a[1]) + B(2, 2, t) * (a[0] + a[1] + a[2])),
-            (QUADRATIC, B(0, 2, t) * a[0] + B(1, 2, t) * a[1] + B(2, 2, t) * a[2]),
+            (QUADRATIC, curve_of([a[0], a[0] + a[1], a[0] + a[1] + a[2]])),
+            (QUADRATIC, curve_of([a[0], a[1], a[2]])),
         ],
     ),
     argued(
@@ -49,9 +50,7 @@ CLAIMS = [
         "If the cross product of a and b is not 0, divide by it: in the coordinates along a and b the curve is "
         "(t^2, t), an affine image of the parabola y = x^2, hence a parabola.",
         "If it is 0, all of the curve is on the line through c in the direction of a and b, or in the point c.",
-        Computed(
-            "For the slides' curve, a = (1, 1) and b = (-2, 0), it is 2.", lambda: side((0, 0), (1, 1), (-2, 0)) == 2
-        ),
+        Computed("For the slides' curve, a = (1, 1) and b = (-2, 0), it is 2.", lambda: cross((1, 1), (-2, 0)) == 2),
     ),
     claim(
         "examples/parabola",
@@ -66,7 +65,7 @@ CLAIMS = [
         "examples/power-points",
         "the coefficients of a t^2 + b t + c as points: c is the start, b its velocity, 2a the second derivative",
         Shown("At t = 0 the curve is in the point c.", eq(Subs(QUADRATIC, t, 0), a[0])),
-        Shown("Its velocity there is b.", eq(Subs(Derivative(QUADRATIC, t), t, 0), a[1])),
+        Shown("Its velocity there is b.", eq(derivative_at(0, QUADRATIC), a[1])),
         Shown("Its second derivative is 2a.", eq(Derivative(QUADRATIC, (t, 2)), 2 * a[2])),
         Shown(
             "If all three points move by a vector a_3, the curve moves by t^2 + t + 1 times that vector,",
@@ -117,15 +116,15 @@ CLAIMS = [
         Shown(
             "It is not 0, since C(n, n) = 1 and C(n, i) >= 1 for i from 0 to n.",
             Ge(binomial(n, i), 1, evaluate=False),
-            {i: (0, n)},
+            WITHIN,
         ),
     ),
     *(
         claim(
             f"examples/cubic-speed/{name}",
             f"a cubic {verb} with three times the {which} edge",
-            (Subs(Derivative(CUBIC, t), t, end), Mul(3, edge, evaluate=False)),
-            twins=[(Subs(Derivative(CUBIC, t), t, end), edge), (Subs(Derivative(CUBIC, t), t, end), Mul(3, -edge))],
+            (derivative_at(end, CUBIC), Mul(3, edge, evaluate=False)),
+            twins=[(derivative_at(end, CUBIC), edge), (derivative_at(end, CUBIC), Mul(3, -edge))],
         )
         for name, verb, which, end, edge in (
             ("start", "starts", "first", 0, b[1] - b[0]),

@@ -2,19 +2,18 @@
 
 from sympy import Derivative, Integer, Mul, Sum, binomial, oo
 
-from bezteach.symbolic import B, b, i, j, n, r, step, t
+from bezteach.symbolic import b, i, j, n, r, t
 
 from ..claim import claim
-from .casteljau import curve
-from .derivatives import CURVE, DIFFERENCE, FACTOR, ORDER, ORDER_R, ORDER_R_LINES
+from ..forms import DELTA, FALLING, FROM_ONE, FROM_TWO, ORDER, G, curve
+from .derivatives import CURVE, ORDER_R, ORDER_R_LINES
 
-G = step(t)
 INSIDE = [
     ORDER_R,
     ORDER_R_LINES[-1],
-    FACTOR * DIFFERENCE**r * Sum(b[j] * B(j, n - r, t), (j, 0, n - r)),
-    FACTOR * DIFFERENCE**r * G ** (n - r) * b[0],
-    FACTOR * DIFFERENCE**r * curve(n - r),
+    FALLING * DELTA**r * curve(n - r, index=j),
+    FALLING * DELTA**r * G ** (n - r) * b[0],
+    FALLING * DELTA**r * curve(n - r),
 ]
 
 
@@ -26,11 +25,10 @@ def from_points(factor, level, signs):
 
 
 def cubic(order):
-    return Derivative(curve(3), t if order == 1 else (t, order))
+    return Derivative(curve(3), (t, order))
 
 
 THIRD = from_points(n * (n - 1) * (n - 2), n - 3, (1, -3, 3, -1))
-THIRD_AS_PRINTED = from_points(n * (n - 1) * (n - 2), n - 3, (1, -3, 3, 1))
 SECOND = from_points(n * (n - 1), n - 2, (1, -2, 1))
 FIRST = from_points(n, n - 1, (1, -1))
 
@@ -40,16 +38,16 @@ CLAIMS = [
         "the derivative of order r is a multiple of a difference of the points of level n - r",
         INSIDE,
         ORDER,
-        twins=[[ORDER_R, FACTOR * DIFFERENCE**r * curve(n)], [ORDER_R, FACTOR * DIFFERENCE**r * curve(n - r, 1)]],
+        twins=[[ORDER_R, FALLING * DELTA**r * curve(n)], [ORDER_R, FALLING * DELTA**r * curve(n - r, 1)]],
     ),
     claim(
         "casteljau/difference",
         "the difference of order r of the points of level n - r",
-        (DIFFERENCE**r * curve(n - r), Sum((-1) ** (r - i) * binomial(r, i) * G ** (n - r) * b[i], (i, 0, r))),
+        (DELTA**r * curve(n - r), Sum((-1) ** (r - i) * binomial(r, i) * G ** (n - r) * b[i], (i, 0, r))),
         ORDER,
         twins=[
-            (DIFFERENCE**r * curve(n - r), Sum((-1) ** i * binomial(r, i) * G ** (n - r) * b[i], (i, 0, r))),
-            (DIFFERENCE**r * curve(n - r), Sum((-1) ** (r - i) * binomial(r, i) * G ** (n - r) * b[i], (i, 0, r - 1))),
+            (DELTA**r * curve(n - r), Sum((-1) ** i * binomial(r, i) * G ** (n - r) * b[i], (i, 0, r))),
+            (DELTA**r * curve(n - r), Sum((-1) ** (r - i) * binomial(r, i) * G ** (n - r) * b[i], (i, 0, r - 1))),
         ],
     ),
     claim(
@@ -69,14 +67,14 @@ CLAIMS = [
         "casteljau/derivative/second",
         "the second derivative from the three points of level n - 2",
         (Derivative(CURVE, (t, 2)), SECOND),
-        {n: (2, oo)},
+        FROM_TWO,
         twins=[(Derivative(CURVE, (t, 2)), from_points(n * (n - 1), n - 2, (1, 2, 1)))],
     ),
     claim(
         "casteljau/derivative/first",
         "the tangent is n times the line between the two points of level n - 1",
         (Derivative(CURVE, t), FIRST),
-        {n: (1, oo)},
+        FROM_ONE,
         twins=[(Derivative(CURVE, t), from_points(n, n - 1, (-1, 1)))],
     ),
     claim(

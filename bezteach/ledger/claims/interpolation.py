@@ -2,12 +2,14 @@
 
 from itertools import pairwise
 
-from sympy import Add, Derivative, IndexedBase, Matrix, Mul, Rational, Subs, expand, oo
+from sympy import Add, IndexedBase, Matrix, Mul, Rational, Subs, expand, oo
 
 from bezteach.symbolic import B, i, t
 
 from ..claim import Computed, Known, Shown, argued, claim, eq
-from ..planar import acceleration, velocity
+from ..forms import curve_of, derivative_at
+from ..planar import acceleration
+from .joins import c2
 
 D, V = IndexedBase("D"), IndexedBase("v")
 SIXTH = Rational(1, 6)
@@ -22,7 +24,7 @@ def segment(i, factor=SIXTH):
     """The cubic from D_i to D_{i+1}."""
     after = shifted(D[i], factor, D[i + 1] - D[i - 1])
     before = shifted(D[i + 1], -factor, D[i + 2] - D[i])
-    return B(0, 3, t) * D[i] + B(1, 3, t) * after + B(2, 3, t) * before + B(3, 3, t) * D[i + 1]
+    return curve_of([D[i], after, before, D[i + 1]])
 
 
 WEIGHTED = (
@@ -35,8 +37,8 @@ WEIGHTED = (
 
 def velocities(factor):
     """At D_i: where one segment arrives, half the chord of the neighbours, where the next one starts."""
-    arriving, leaving = (Derivative(segment(place, factor), t) for place in (i - 1, i))
-    return [Subs(arriving, t, 1), (D[i + 1] - D[i - 1]) / 2, Subs(leaving, t, 0)]
+    arriving, leaving = derivative_at(1, segment(i - 1, factor)), derivative_at(0, segment(i, factor))
+    return [arriving, (D[i + 1] - D[i - 1]) / 2, leaving]
 
 
 def touched(place, count):
@@ -49,11 +51,11 @@ def touched(place, count):
 def with_velocities(i):
     """The cubic from D_i to D_{i+1} with the velocities v_i and v_{i+1} there."""
     after, before = D[i] + V[i] / 3, D[i + 1] - V[i + 1] / 3
-    return B(0, 3, t) * D[i] + B(1, 3, t) * after + B(2, 3, t) * before + B(3, 3, t) * D[i + 1]
+    return curve_of([D[i], after, before, D[i + 1]])
 
 
 BEFORE, AFTER = (with_velocities(place) for place in (0, 1))
-SECOND_JUMP = Subs(Derivative(AFTER, (t, 2)), t, 0) - Subs(Derivative(BEFORE, (t, 2)), t, 1)
+SECOND_JUMP = derivative_at(0, AFTER, 2) - derivative_at(1, BEFORE, 2)
 
 
 def smooth_cubics(data):
@@ -73,10 +75,7 @@ def smooth_cubics(data):
 def smooth_instance():
     """Whether these cubics through five data meet with equal velocities and second derivatives, 0 at the ends."""
     cubics = smooth_cubics([0, 3, 1, 1, 5])
-    equal = all(
-        velocity(left, 1) == velocity(right, 0) and acceleration(left, 1) == acceleration(right, 0)
-        for left, right in pairwise(cubics)
-    )
+    equal = all(c2(left, right) for left, right in pairwise(cubics))
     return equal and acceleration(cubics[0], 0) == (0,) == acceleration(cubics[-1], 1)
 
 

@@ -6,26 +6,19 @@ arguments they are P_0 .. P_n and Q_0 .. Q_m; h and l are the lengths of the int
 
 from fractions import Fraction
 
-from sympy import Derivative, Subs, Sum, oo, symbols
+from sympy import Sum, symbols
 
 from bezteach.symbolic import B, b, i, n, t
 
 from ..claim import Computed, Known, Shown, argued, claim, eq
+from ..forms import FROM_ONE, FROM_TWO, curve, derivative_at
 from ..planar import acceleration, cross, curvature_squared, dot, halves, minus, velocity
 
 c, d, s, x1, y1, x2, y2 = symbols("c d s x1 y1 x2 y2", real=True)
 
-LEFT = Sum(B(i, n, t) * b[i], (i, 0, n))
-RIGHT = Sum(B(i, n, t) * b[n + i], (i, 0, n))
-
-
-def at(value, curve, order=1):
-    """The derivative of a curve at a value of t."""
-    return Subs(Derivative(curve, (t, order)), t, value)
-
-
-JUMP = at(0, RIGHT) - at(1, LEFT)
-SECOND_JUMP = at(0, RIGHT, 2) - at(1, LEFT, 2)
+LEFT, RIGHT = curve(), curve(first=n)
+JUMP = derivative_at(0, RIGHT) - derivative_at(1, LEFT)
+SECOND_JUMP = derivative_at(0, RIGHT, 2) - derivative_at(1, LEFT, 2)
 CONTINUED = (
     B(0, n, t) * b[n]
     + B(1, n, t) * (2 * b[n] - b[n - 1])
@@ -53,6 +46,11 @@ def accelerations_agree(left, right):
     return acceleration(left, 1) == acceleration(right, 0)
 
 
+def c2(left, right):
+    """Whether two curves that meet, each on an interval of length 1, meet with C2."""
+    return velocities_agree(left, right) and accelerations_agree(left, right)
+
+
 def curvatures_agree(left, right):
     return curvature_squared(left, 1) == curvature_squared(right, 0)
 
@@ -69,7 +67,7 @@ CLAIMS = [
         "joins/c1/jump",
         "equal degrees: the velocity jumps by n times the second difference about the join",
         (JUMP, n * (b[n + 1] - 2 * b[n] + b[n - 1])),
-        {n: (1, oo)},
+        FROM_ONE,
         twins=[(JUMP, b[n + 1] - 2 * b[n] + b[n - 1]), (JUMP, n * (b[n + 1] - b[n - 1]))],
     ),
     argued(
@@ -113,7 +111,7 @@ CLAIMS = [
         "joins/c2/jump",
         "equal degrees: the second derivative jumps by n (n - 1) times this, where the join itself cancels",
         (SECOND_JUMP, n * (n - 1) * (b[n + 2] - 2 * b[n + 1] + 2 * b[n - 1] - b[n - 2])),
-        {n: (2, oo)},
+        FROM_TWO,
         twins=[
             (SECOND_JUMP, n * (n - 1) * (b[n + 2] - 2 * b[n + 1] + 2 * b[n - 1] + b[n - 2])),
             (SECOND_JUMP, n**2 * (b[n + 2] - 2 * b[n + 1] + 2 * b[n - 1] - b[n - 2])),
@@ -122,9 +120,12 @@ CLAIMS = [
     claim(
         "joins/c2/points",
         "equal degrees: the three points with which the next curve keeps velocity and second derivative",
-        (at(0, CONTINUED, 2), at(1, LEFT, 2)),
-        {n: (2, oo)},
-        twins=[(at(0, CONTINUED, 2), at(0, LEFT, 2)), (at(0, RIGHT, 2), at(1, LEFT, 2))],
+        (derivative_at(0, CONTINUED, 2), derivative_at(1, LEFT, 2)),
+        FROM_TWO,
+        twins=[
+            (derivative_at(0, CONTINUED, 2), derivative_at(0, LEFT, 2)),
+            (derivative_at(0, RIGHT, 2), derivative_at(1, LEFT, 2)),
+        ],
     ),
     argued(
         "joins/c2",

@@ -3,24 +3,23 @@
 from fractions import Fraction
 from itertools import pairwise
 
-from sympy import Add, Integer, Interval, Le, Mul, Rational, Sum, Symbol, oo
+from sympy import Integer, Interval, Le, Rational, Sum, Symbol
 
 from bezteach.examples import EXAMPLES
-from bezteach.symbolic import B, E, b, i, j, k, n, step, t
+from bezteach.symbolic import B, b, i, j, k, n, step, t
 
 from ..claim import Computed, Known, Shown, argued, claim, eq
-from ..planar import dot, halves, levels, minus
+from ..forms import DELTA, FROM_ONE, FROM_TWO, difference
+from ..planar import curve_point, dot, halves, minus
 from .segments import part_point, t1, t2
 
 m = Symbol("m", integer=True, nonnegative=True)
 w = Symbol("w", real=True)
-DIFFERENCE = E - 1
-FROM_ONE, FROM_TWO = {n: (1, oo)}, {n: (2, oo)}
 
 EDGE = part_point(j + 1) - part_point(j)
 BEND = part_point(j + 2) - 2 * part_point(j + 1) + part_point(j)
-SMALLER_EDGE = (t2 - t1) * step(t1) ** (n - 1 - j) * step(t2) ** j * DIFFERENCE * b[0]
-SMALLER_BEND = (t2 - t1) ** 2 * step(t1) ** (n - 2 - j) * step(t2) ** j * DIFFERENCE**2 * b[0]
+SMALLER_EDGE = (t2 - t1) * step(t1) ** (n - 1 - j) * step(t2) ** j * DELTA * b[0]
+SMALLER_BEND = (t2 - t1) ** 2 * step(t1) ** (n - 2 - j) * step(t2) ** j * DELTA**2 * b[0]
 MOMENT = Sum((i - j) * (i - j - 1) * B(i, n, t), (i, 0, n))
 ON_EDGE = b[j] + (n * t - j) * (b[j + 1] - b[j])
 
@@ -54,7 +53,7 @@ def within_bound(points, rounds, samples):
     bound = Fraction(degree, 8 * 4**rounds) ** 2 * largest_bend(points)
     for number, piece in enumerate(pieces(points, rounds)):
         for at in (Fraction(place, samples) for place in range(samples + 1)):
-            off = minus(on_polygon(piece, at), levels(points, (number + at) / count)[-1][0])
+            off = minus(on_polygon(piece, at), curve_point(points, (number + at) / count))
             if dot(off, off) > bound:
                 return False
     return True
@@ -67,7 +66,7 @@ def cubic_within_bound():
 
 def parabola_on_bound():
     points = [(Fraction(0), Fraction(0)), (Fraction(1), Fraction(2)), (Fraction(2), Fraction(0))]
-    off = minus(on_polygon(points, Fraction(1, 2)), levels(points, Fraction(1, 2))[-1][0])
+    off = minus(on_polygon(points, Fraction(1, 2)), curve_point(points, Fraction(1, 2)))
     return dot(off, off) == Fraction(2, 8) ** 2 * largest_bend(points)
 
 
@@ -81,7 +80,7 @@ CLAIMS = [
     claim(
         "limit/points",
         "the 2^k - 1 joints belong to two pieces each: 2^k n + 1 control points",
-        (Add(2**k * (n + 1), Mul(-1, 2**k - 1, evaluate=False), evaluate=False), 2**k * n + 1),
+        (difference(2**k * (n + 1), 2**k - 1), 2**k * n + 1),
         twins=[(2**k * (n + 1), 2**k * n + 1)],
     ),
     claim(
@@ -96,7 +95,7 @@ CLAIMS = [
         "the second differences of a part: the square of its length stands in front",
         (BEND, SMALLER_BEND),
         FROM_TWO | {j: (0, n - 2)},
-        twins=[(BEND, (t2 - t1) * step(t1) ** (n - 2 - j) * step(t2) ** j * DIFFERENCE**2 * b[0])],
+        twins=[(BEND, (t2 - t1) * step(t1) ** (n - 2 - j) * step(t2) ** j * DELTA**2 * b[0])],
     ),
     claim(
         "limit/moment",

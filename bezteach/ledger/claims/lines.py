@@ -2,13 +2,14 @@
 
 from fractions import Fraction
 
-from sympy import Derivative, Interval, Lt, oo
+from sympy import Derivative, Lt
 
 from bezteach.symbolic import B, i, n, t
 
 from ..claim import Computed, Known, Shown, argued, claim, eq
-from ..exact import along_curve, curve_point
-from ..planar import cross, minus, velocity
+from ..forms import FROM_TWO, UNIT, curve_of
+from ..planar import cross, curve_point, minus, velocity
+from ..signs import along_curve
 
 THROUGH_SECOND = [(0, 0), (1, 1), (2, 0), (-1, 5)]
 CUSP = [(0, 0), (1, 1), (0, 1), (1, 0)]
@@ -59,7 +60,7 @@ CLAIMS = [
         "points/weight-of-one",
         "an inner control point never has the whole weight",
         Lt(B(i, n, t), 1, evaluate=False),
-        {n: (2, oo), i: (1, n - 1), t: Interval(0, 1)},
+        FROM_TWO | {i: (1, n - 1)} | UNIT,
         twins=[Lt(B(i, n, t), B(i, n, i / n), evaluate=False), Lt(B(i - 1, n, t), 1, evaluate=False)],
     ),
     argued(
@@ -83,9 +84,9 @@ CLAIMS = [
         Known("Each coordinate is a polynomial in t, which has all derivatives.", "curve/powers"),
         Shown(
             "For the cubic with the points (0, 0), (1, 1), (0, 1), (1, 0) the velocity is 3 (1 - 2t)^2 in x,",
-            eq(Derivative(B(1, 3, t) + B(3, 3, t), t), 3 * (1 - 2 * t) ** 2),
+            eq(Derivative(curve_of([x for x, _ in CUSP]), t), 3 * (1 - 2 * t) ** 2),
         ),
-        Shown("and 3 (1 - 2t) in y.", eq(Derivative(B(1, 3, t) + B(2, 3, t), t), 3 * (1 - 2 * t))),
+        Shown("and 3 (1 - 2t) in y.", eq(Derivative(curve_of([y for _, y in CUSP]), t), 3 * (1 - 2 * t))),
         Computed("At t = 1/2 it stands still, before that it rises, after that it falls.", stands_still),
         "The direction of the velocity tends to (0, 1) from the left and to (0, -1) from the right: the curve turns "
         "back on itself, which is a cusp.",

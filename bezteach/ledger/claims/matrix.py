@@ -5,11 +5,12 @@ from sympy import Derivative, ImmutableMatrix, IndexedBase, MatMul, Sum, binomia
 from bezteach.symbolic import B, i, j, n, t
 
 from ..claim import claim
+from ..forms import WITHIN, curve, curve_of
 
 V = IndexedBase("V")
 POINTS = ImmutableMatrix([V[0], V[1], V[2], V[3]])
 DESCENDING = ImmutableMatrix([[-1, 3, -3, 1], [3, -6, 3, 0], [-3, 3, 0, 0], [1, 0, 0, 0]])
-CURVE = V[0] * B(0, 3, t) + V[1] * B(1, 3, t) + V[2] * B(2, 3, t) + V[3] * B(3, 3, t)
+CURVE = curve_of(POINTS)
 
 
 def product(*powers, matrix=DESCENDING):
@@ -21,7 +22,7 @@ CLAIMS = [
     claim(
         "matrix/cubic",
         "a cubic curve, term by term",
-        (Sum(V[i] * B(i, 3, t), (i, 0, 3)), CURVE),
+        (curve(3, points=V), CURVE),
         twins=[(Sum(V[i] * B(i, 3, t), (i, 1, 3)), CURVE)],
     ),
     claim(
@@ -43,7 +44,7 @@ CLAIMS = [
         "matrix/triangular",
         "the matrix from powers of t to the basis: its entries, which are 0 above the diagonal",
         (B(i, n, t), Sum(t**j * ((-1) ** (i + j) * binomial(n, j) * binomial(j, i)), (j, 0, n))),
-        {i: (0, n)},
+        WITHIN,
         twins=[
             (B(i, n, t), Sum(t**j * ((-1) ** (i + j) * binomial(n, i) * binomial(i, j)), (j, 0, n))),
             (B(i, n, t), Sum(t**j * (binomial(n, j) * binomial(j, i)), (j, 0, n))),

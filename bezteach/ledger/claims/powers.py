@@ -1,13 +1,12 @@
 """Between the Bernstein basis and the powers of t, and that the Bernstein functions are a basis."""
 
-from sympy import Derivative, Ge, IndexedBase, KroneckerDelta, MatMul, Matrix, Subs, Sum, binomial, factorial, oo
+from sympy import Ge, IndexedBase, KroneckerDelta, MatMul, Matrix, Sum, binomial
 
 from bezteach.symbolic import B, b, i, j, k, n, r, t
 
 from ..claim import Known, Shown, argued, claim
+from ..forms import FALLING, FROM_ONE, WITHIN, curve, derivative_at
 
-WITHIN = {i: (0, n)}
-FROM_ONE = {n: (1, oo)}
 a, c = IndexedBase("a"), IndexedBase("c")
 
 TO_POWERS = [
@@ -22,9 +21,8 @@ CUBIC = Matrix([[1, 0, 0, 0], [-3, 3, 0, 0], [3, -6, 3, 0], [-1, 3, -3, 1]])
 
 def coefficient(at):
     """The coefficient c_k, read off the derivatives of order 0 to k of the combination, at 0 or at 1."""
-    combination = Sum(c[j] * B(j, n, t), (j, 0, n))
-    derivative = Subs(Derivative(combination, (t, r)), t, at)
-    return Sum(binomial(k, r) * factorial(n - r) / factorial(n) * derivative, (r, 0, k))
+    derivative = derivative_at(at, curve(points=c, index=j), r)
+    return Sum(binomial(k, r) / FALLING * derivative, (r, 0, k))
 
 
 CLAIMS = [
@@ -148,13 +146,10 @@ CLAIMS = [
     claim(
         "cubic/matrix",
         "the cubic curve as a product of matrices",
-        (
-            Sum(B(i, 3, t) * b[i], (i, 0, 3)),
-            MatMul(POWERS, CUBIC, Matrix([b[0], b[1], b[2], b[3]])),
-        ),
+        (curve(3), MatMul(POWERS, CUBIC, Matrix([b[0], b[1], b[2], b[3]]))),
         twins=[
-            (Sum(B(i, 3, t) * b[i], (i, 0, 3)), MatMul(POWERS, CUBIC.T, Matrix([b[0], b[1], b[2], b[3]]))),
-            (Sum(B(i, 3, t) * b[i], (i, 0, 3)), MatMul(POWERS, CUBIC, Matrix([b[3], b[2], b[1], b[0]]))),
+            (curve(3), MatMul(POWERS, CUBIC.T, Matrix([b[0], b[1], b[2], b[3]]))),
+            (curve(3), MatMul(POWERS, CUBIC, Matrix([b[3], b[2], b[1], b[0]]))),
         ],
     ),
     claim(

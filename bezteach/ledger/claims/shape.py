@@ -6,8 +6,9 @@ from sympy import Integer, Interval, Mul, Sum, binomial, oo
 
 from bezteach.symbolic import i, r, t, u
 
-from .. import exact
 from ..claim import Computed, Known, Shown, argued, eq
+from ..planar import curve_point, in_hull
+from ..signs import along_curve, roots_inside
 
 TWELFTHS = [Fraction(place, 12) for place in range(13)]
 WORKED = [(0, 0), (1, 3), (2, 1), (3, 3)]
@@ -16,30 +17,30 @@ ARCH, ABOVE = [(0, 0), (1, 2), (2, 0)], [(0, Fraction(3, 2)), (2, Fraction(3, 2)
 
 def first_edge_of_length_zero():
     points = [(0, 0), (0, 0), (1, 2)]
-    return all(exact.curve_point(points, at) == (at**2, 2 * at**2) for at in TWELFTHS)
+    return all(curve_point(points, at) == (at**2, 2 * at**2) for at in TWELFTHS)
 
 
 def affine_instance():
     """The map (x, y) -> (2 x + 3 y - 1, x - y + 4) before and after."""
     mapped = [(2 * x + 3 * y - 1, x - y + 4) for x, y in WORKED]
-    before = (exact.curve_point(WORKED, at) for at in TWELFTHS)
-    return [(2 * x + 3 * y - 1, x - y + 4) for x, y in before] == [exact.curve_point(mapped, at) for at in TWELFTHS]
+    before = (curve_point(WORKED, at) for at in TWELFTHS)
+    return [(2 * x + 3 * y - 1, x - y + 4) for x, y in before] == [curve_point(mapped, at) for at in TWELFTHS]
 
 
 def hull_instance():
-    return all(exact.in_hull(WORKED, exact.curve_point(WORKED, at)) for at in TWELFTHS)
+    return all(in_hull(WORKED, curve_point(WORKED, at)) for at in TWELFTHS)
 
 
 def outside_the_hull():
-    return not exact.in_hull(WORKED, exact.curve_point(WORKED, Fraction(2)))
+    return not in_hull(WORKED, curve_point(WORKED, Fraction(2)))
 
 
 def hulls_meet_and_curves_do_not():
     meeting = (Fraction(1), Fraction(3, 2))
-    below = max(exact.along_curve([0, 2, 0]).eval(at) for at in [Fraction(1, 2), 0, 1])
-    slope = exact.along_curve([0, 2, 0]).diff()
-    highest = exact.roots_inside(slope, 0, 1) == [1] and slope.eval(Fraction(1, 2)) == 0
-    return exact.in_hull(ARCH, meeting) and exact.in_hull(ABOVE, meeting) and highest and below == 1
+    below = max(along_curve([0, 2, 0]).eval(at) for at in [Fraction(1, 2), 0, 1])
+    slope = along_curve([0, 2, 0]).diff()
+    highest = roots_inside(slope, 0, 1) == [1] and slope.eval(Fraction(1, 2)) == 0
+    return in_hull(ARCH, meeting) and in_hull(ABOVE, meeting) and highest and below == 1
 
 
 CLAIMS = [

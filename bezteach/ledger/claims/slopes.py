@@ -1,14 +1,11 @@
 """The slopes of the Bernstein functions: first and second derivative, and where each is greatest."""
 
-from sympy import Derivative, Interval, Le, binomial, oo
+from sympy import Derivative, Le, binomial
 
 from bezteach.symbolic import B, i, n, t
 
 from ..claim import claim
-
-WITHIN = {i: (0, n)}
-FROM_ONE = {n: (1, oo)}
-UNIT = {t: Interval(0, 1)}
+from ..forms import FROM_ONE, FROM_TWO, UNIT, WITHIN
 
 SLOPE = [
     Derivative(B(i, n, t), t),
@@ -41,7 +38,7 @@ CLAIMS = [
         "basis/derivative/proof",
         "the derivative by the product rule",
         list(zip(SLOPE, WHY, strict=True)),
-        {n: (2, oo), i: (1, n - 1)},
+        FROM_TWO | {i: (1, n - 1)},
         twins=[[SLOPE[0], SLOPE[1].subs(i, i + 1), SLOPE[3]], [SLOPE[0], SLOPE[2] / n, SLOPE[3]]],
     ),
     claim(
@@ -75,7 +72,7 @@ CLAIMS = [
             Derivative(B(i, n, t), (t, 2)),
             n * (n - 1) * (B(i - 2, n - 2, t) - 2 * B(i - 1, n - 2, t) + B(i, n - 2, t)),
         ),
-        {n: (2, oo)} | WITHIN,
+        FROM_TWO | WITHIN,
         twins=[
             (
                 Derivative(B(i, n, t), (t, 2)),

@@ -1,11 +1,12 @@
 """The worked examples of the algorithm and of splitting: a cubic cut at 1/3, and a part of another one."""
 
-from sympy import Mul, Pow, Rational, sympify
+from sympy import Mul, Rational, sympify
 
 from bezteach.examples import EXAMPLES
 from bezteach.symbolic import B, u
 
 from ..claim import Computed, argued, claim
+from ..forms import quotient
 from ..planar import levels
 from .examples import weighted
 
@@ -82,7 +83,7 @@ CLAIMS = [
     claim(
         "examples/part/parameter",
         "1/4 of the whole is 1/3 of the front up to 3/4",
-        (Mul(QUARTER, Pow(1 - QUARTER, -1, evaluate=False), evaluate=False), THIRD),
+        (quotient(QUARTER, 1 - QUARTER), THIRD),
         twins=[(Mul(QUARTER, 1 - QUARTER, evaluate=False), THIRD)],
     ),
     triangle(

@@ -1,14 +1,12 @@
 """The deck, section 1: the definition of the curve, and the properties of its basis."""
 
-from sympy import Le, Sum, binomial, oo
+from sympy import Le, Sum, binomial
 
 from bezteach.symbolic import B, i, j, n, t
 
 from ..claims import bezier, degrees, slopes
+from ..forms import FROM_ONE, WITHIN
 from ..reading import amended, refuted, row
-
-WITHIN = {i: (0, n)}
-FROM_ONE = {n: (1, oo)}
 
 RECURSION = degrees.RECURSION
 PRINTED_RECURSION = [

@@ -1,13 +1,12 @@
 """The deck, section 2.1: the three-tangent theorem, de Casteljau's algorithm and its operator form."""
 
-from sympy import Rational, Sum, oo
+from sympy import Rational, Sum
 
-from bezteach.symbolic import B, E, b, i, j, k, n, step, t
+from bezteach.symbolic import B, E, b, i, j, k, n, t
 
-from ..claims.casteljau import curve
+from ..forms import FROM_ONE, G, curve
 from ..reading import amended, row
 
-G = step(t)
 THIRD = Rational(1, 3)
 
 
@@ -22,7 +21,7 @@ def loose_combination(printed):
 
 def two_levels(printed):
     """The slip of two steps of the algorithm with no word on the degree."""
-    return amended(printed, "n >= 2 is left out: a line has only one level above its points", {n: (1, oo)})
+    return amended(printed, "n >= 2 is left out: a line has only one level above its points", FROM_ONE)
 
 
 ROWS = [
@@ -73,7 +72,7 @@ ROWS = [
         "2.1, algorithm, worked example",
         "examples/split/point",
         amended(
-            (curve(3).subs(t, THIRD), Sum(B(i, n, THIRD) * b[i], (i, 0, 3))),
+            (curve(3, at=THIRD), Sum(B(i, n, THIRD) * b[i], (i, 0, 3))),
             "n stands for 3, the degree of this curve, as in the same example in 2.3",
         ),
     ),

@@ -2,16 +2,16 @@
 
 from fractions import Fraction
 
-from sympy import Derivative, Mul, Subs, Sum, Symbol, binomial, factorial
+from sympy import Mul, Sum, Symbol, binomial, factorial
 
-from bezteach.symbolic import B, b, i, j, k, n, t, u
+from bezteach.symbolic import B, b, i, j, k, n, u
 
-from .. import exact
-from ..claims.convexity import HEIGHTS, omega, x
-from ..claims.curve import CURVE, p, q, reparametrised
+from ..claims.curve import CURVE, p, q
+from ..claims.quartic import HEIGHTS, omega, x
+from ..forms import curve, derivative_at
+from ..planar import curve_point, polygon_places
 from ..reading import amended, refuted, refuted_words, row
 
-ORDER = {k: (0, n)}
 SIGNED = (-1) ** (k - i) * binomial(k, i)
 
 LOOP = [(0, 0), (1, 1), (-1, 1), (6, -6)]
@@ -19,15 +19,24 @@ LOOP = [(0, 0), (1, 1), (-1, 1), (6, -6)]
 
 def derivative_k(at, point):
     """The printed formula of the k-th derivative at an end."""
-    derivative = Subs(Derivative(CURVE, (t, k)), t, at)
-    return derivative, factorial(n) / factorial(n - k) * Sum(SIGNED * point, (i, 0, k))
+    return derivative_at(at, CURVE, k), factorial(n) / factorial(n - k) * Sum(SIGNED * point, (i, 0, k))
 
 
 def one_place_for_two():
     """The polygon has one place on y = 0, the curve two, at its start and at t = 1/2."""
     axis = (0, 1, 0)
-    met = [exact.curve_point(LOOP, at) for at in (Fraction(0), Fraction(1, 2))]
-    return exact.polygon_places(LOOP, axis) == {(0, 0)} and met == [(0, 0), (Fraction(3, 4), 0)]
+    met = [curve_point(LOOP, at) for at in (Fraction(0), Fraction(1, 2))]
+    return polygon_places(LOOP, axis) == {(0, 0)} and met == [(0, 0), (Fraction(3, 4), 0)]
+
+
+def places_for_passages(printed):
+    """The slip of counting the places where the polygon meets a line, and not its passages."""
+    return refuted_words(
+        printed,
+        "the polygon (0, 0), (1, 1), (-1, 1), (6, -6) meets y = 0 in the one point (0, 0), through which it passes "
+        "twice; its curve meets y = 0 in two points, (0, 0) and (3/4, 0). What must be counted are the passages",
+        one_place_for_two,
+    )
 
 
 INTERVAL = Mul(u - Symbol("a", real=True), 1 / (Symbol("b", real=True) - Symbol("a", real=True)), evaluate=False)
@@ -60,7 +69,7 @@ ROWS = [
     row(
         "1.2, curve property 2, k-th derivative at the end",
         "curve/derivative-r/end",
-        refuted(derivative_k(1, b[n - i]), ORDER),
+        refuted(derivative_k(1, b[n - i]), {k: (0, n)}),
     ),
     row("1.2, curve property 2, first k edges, k + 1 vertices", "curve/derivative-r/start/edges"),
     row("1.2, curve property 2, last k edges, k + 1 vertices", "curve/derivative-r/end/edges"),
@@ -89,11 +98,8 @@ ROWS = [
     row(
         "1.2, curve property 6, variation diminishing",
         "curve/variation-diminishing",
-        refuted_words(
-            "a line (plane) does not meet a plane (space) curve in more points than its control polygon",
-            "the polygon (0, 0), (1, 1), (-1, 1), (6, -6) meets y = 0 in the one point (0, 0), through which it passes "
-            "twice; its curve meets y = 0 in two points, (0, 0) and (3/4, 0). What must be counted are the passages",
-            one_place_for_two,
+        places_for_passages(
+            "a line (plane) does not meet a plane (space) curve in more points than its control polygon"
         ),
     ),
     row(
@@ -130,7 +136,7 @@ ROWS = [
         "1.2, curve property 8, affine change of the parameter",
         "curve/reparametrised",
         amended(
-            (reparametrised(t), reparametrised(INTERVAL)),
+            (curve(), curve(at=INTERVAL)),
             "that t stands for (u - a)/(b - a) is left out, and that a < b: for a = b nothing is defined, for a > b "
             "the interval is [b, a]",
         ),

@@ -8,7 +8,7 @@ from sympy import Derivative, Sum, oo
 from bezteach.symbolic import B, b, i, j, n, t
 
 from ..claims import derivatives, interior
-from ..claims.casteljau import curve
+from ..forms import FROM_ONE, curve
 from ..planar import levels, velocity
 from ..reading import amended, refuted, refuted_words, row
 
@@ -48,7 +48,7 @@ ROWS = [
         amended(
             (Derivative(B(i, n, t), t), n * (B(i - 1, n - 1, t) - B(i, n - 1, t))),
             "i = 0 is left out of the range i = 1, ..., n, and the next line needs it: the formula holds there too",
-            {n: (1, oo), i: (1, n)},
+            FROM_ONE | {i: (1, n)},
         ),
     ),
     row("2.2, hodograph, derivative of the curve", "curve/hodograph/from-basis"),
@@ -79,10 +79,10 @@ ROWS = [
         "2.2, hodograph, first hodograph",
         "curve/hodograph",
         amended(
-            (Derivative(curve(n), t), Sum((b[j + 1] - b[j]) * B(j, n - 1, t), (j, 0, n - 1))),
+            (Derivative(curve(), t), Sum((b[j + 1] - b[j]) * B(j, n - 1, t), (j, 0, n - 1))),
             "the curve whose control points are the differences is the derivative without its factor n; two slides on, "
             "the derivative of order r with its factor is called the hodograph of order r",
-            {n: (1, oo)},
+            FROM_ONE,
         ),
     ),
     row("2.2, hodograph, those of higher order", "curve/derivative-r"),
@@ -94,7 +94,7 @@ ROWS = [
         amended(
             derivatives.SECOND,
             "n >= 2 is left out: for a line the power has the exponent -1",
-            {n: (1, oo)},
+            FROM_ONE,
         ),
     ),
     row("2.2, higher derivatives, factor of order r", "curve/derivative-r/factor"),
@@ -166,7 +166,10 @@ ROWS = [
     row(
         "2.2, inside, third derivative",
         "casteljau/derivative/third",
-        refuted((Derivative(derivatives.CURVE, (t, 3)), interior.THIRD_AS_PRINTED), {n: (3, oo)}),
+        refuted(
+            (Derivative(derivatives.CURVE, (t, 3)), interior.from_points(n * (n - 1) * (n - 2), n - 3, (1, -3, 3, 1))),
+            {n: (3, oo)},
+        ),
     ),
     row(
         "2.2, inside, third derivative, n = 3",

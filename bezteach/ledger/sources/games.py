@@ -1,14 +1,12 @@
 """The games slides: power basis against Bernstein basis, properties, de Casteljau, joins."""
 
-from sympy import Derivative, Integer, Mul, Sum, binomial, factorial, oo
+from sympy import Derivative, Integer, Mul, Sum, binomial
 
-from bezteach.symbolic import B, E, i, n, r, step, t
+from bezteach.symbolic import B, i, n, r, t
 
+from ..forms import DELTA, FALLING, FROM_ONE, FROM_TWO, WITHIN, G
 from ..reading import amended, refuted, row
 from .games_joins import CURVE, JOINS, LOST, end_properties, p
-
-FROM_ONE = {n: (1, oo)}
-WITHIN = {i: (0, n)}
 
 
 def cut(number):
@@ -89,12 +87,12 @@ ROWS = [
     row(
         "cubic example, sum from 1",
         "curve/definition",
-        refuted((step(t) ** 3 * p[0], Sum(B(i, 3, t) * p[i], (i, 1, 3)))),
+        refuted((G**3 * p[0], Sum(B(i, 3, t) * p[i], (i, 1, 3)))),
     ),
     row(
         "curves in space, sum from 1",
         "curve/definition",
-        refuted((step(t) ** n * p[0], Sum(B(i, n, t) * p[i], (i, 1, n)))),
+        refuted((G**n * p[0], Sum(B(i, n, t) * p[i], (i, 1, n)))),
     ),
     row("properties, degree n is order n + 1", "examples/exact-degree"),
     row("properties, definition again", "basis/definition"),
@@ -162,7 +160,7 @@ ROWS = [
                 n * (n - 1) * (Mul(B(i - 2, n - 2, t), 2, B(i - 1, n - 2, t), evaluate=False) + B(i, n - 2, t)),
             ),
             LOST,
-            {n: (2, oo)} | WITHIN,
+            FROM_TWO | WITHIN,
         ),
     ),
     row("property 5, the curve", "curve/definition"),
@@ -177,7 +175,7 @@ ROWS = [
         amended(
             (
                 Derivative(CURVE, (t, r)),
-                factorial(n) / factorial(n - r) * Sum(B(i, n - r, t) * (E - 1) ** r * p[i], (i, 0, n - r)),
+                FALLING * Sum(B(i, n - r, t) * DELTA**r * p[i], (i, 0, n - r)),
             ),
             "r <= n is left out: for r > n the factor has no value, and the derivative is 0",
         ),

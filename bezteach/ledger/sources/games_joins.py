@@ -2,16 +2,17 @@
 
 from fractions import Fraction
 
-from sympy import Derivative, IndexedBase, Subs, Sum, oo
+from sympy import IndexedBase
 
-from bezteach.symbolic import B, i, n, t
+from bezteach.symbolic import n
 
-from ..claims.joins import TURNING_BACK, accelerations_agree, tangents_oppose, velocities_agree
+from ..claims.joins import TURNING_BACK, c2, tangents_oppose, velocities_agree
+from ..forms import FROM_ONE, curve, derivative_at
 from ..planar import dot, minus
 from ..reading import amended, refuted, refuted_words, row
 
 p = IndexedBase("p")
-CURVE = Sum(B(i, n, t) * p[i], (i, 0, n))
+CURVE = curve(points=p)
 LOST = "sign lost in the text"
 
 REFLECTED = [(-1, 1), (-1, 0), (0, 0)], [(0, 0), (1, 0), (1, -1)]
@@ -28,10 +29,6 @@ def similar(first, second):
     """Whether two triangles have sides in one ratio."""
     ratios = {Fraction(one, other) for one, other in zip(sides(first), sides(second), strict=True)}
     return len(ratios) == 1
-
-
-def c2(left, right):
-    return velocities_agree(left, right) and accelerations_agree(left, right)
 
 
 def similar_is_not_c2():
@@ -61,7 +58,7 @@ def end_properties(where):
         row(
             f"{where}, f'(1)",
             "curve/tangent/end",
-            refuted((Subs(Derivative(CURVE, t), t, 1), n * (p[n - 1] - p[n])), {n: (1, oo)}),
+            refuted((derivative_at(1, CURVE), n * (p[n - 1] - p[n])), FROM_ONE),
         ),
         row(f"{where}, k-th derivative from k + 1 points, start", "curve/derivative-r/start"),
         row(f"{where}, k-th derivative from k + 1 points, end", "curve/derivative-r/end"),

@@ -2,19 +2,18 @@
 
 from fractions import Fraction
 
-from sympy import Add, Derivative, IndexedBase, Integer, Mul, Sum, Symbol, binomial, oo
+from sympy import Add, Derivative, IndexedBase, Integer, Mul, Sum, Symbol, binomial
 
 from bezteach.symbolic import B, b, i, n, t
 
-from ..claims.differences import DIFFERENCE, minus
 from ..claims.lines import passes_second_point
-from ..exact import along_curve, curve_point, polygon_places, roots_inside, side
+from ..forms import DELTA, FROM_ONE, WITHIN, curve, difference
+from ..planar import curve_point, polygon_places, side
 from ..reading import amended, refuted, refuted_words, row
+from ..signs import along_curve, roots_inside
 
 x = Symbol("x", real=True)
 p = IndexedBase("p")
-WITHIN = {i: (0, n)}
-CURVE = Sum(B(i, n, t) * b[i], (i, 0, n))
 CONVENTION = (
     "n >= 1 is left out, and so is that functions with an index outside 0..n are 0, which it needs at i = 0 and i = n: "
     "there is no B_{-1,n-1} and no B_{n,n-1} otherwise"
@@ -133,7 +132,7 @@ ROWS = [
     row(
         "2.3, the curve, second line",
         "curve/definition",
-        refuted([CURVE, Sum(binomial(n, i) * x**i * (1 - x) ** (n - i) * b[i], (i, 0, n))]),
+        refuted([curve(), Sum(binomial(n, i) * x**i * (1 - x) ** (n - i) * b[i], (i, 0, n))]),
     ),
     row("2.3, the basis", "basis/definition"),
     row(
@@ -151,7 +150,7 @@ ROWS = [
     row("2.3.1, positive", "basis/positive-inside"),
     row("2.3.1, B_0 at 0", "basis/start/first"),
     row("2.3.1, the others at 0", "basis/start/others"),
-    row("2.3.1, the others at 1", "basis/end/others", refuted((B(i, n, 0), Integer(0)), {n: (1, oo), i: (0, n - 1)})),
+    row("2.3.1, the others at 1", "basis/end/others", refuted((B(i, n, 0), Integer(0)), FROM_ONE | {i: (0, n - 1)})),
     row(
         "2.3.1, B_n at 1",
         "basis/end/last",
@@ -183,8 +182,8 @@ ROWS = [
         "difference/second",
         refuted(
             [
-                DIFFERENCE**2 * p[i],
-                minus(DIFFERENCE * p[i + 1], DIFFERENCE * p[i]),
+                DELTA**2 * p[i],
+                difference(DELTA * p[i + 1], DELTA * p[i]),
                 Add(p[i + 1], Mul(-2, p[i + 1], evaluate=False), p[i], evaluate=False),
             ]
         ),

@@ -3,7 +3,7 @@
 from ..claims.interpolation import touched
 from ..claims.joins import PARABOLA_IN_TWO, TURNING_BACK, curvatures_agree, tangents_oppose, velocities_agree
 from ..reading import amended, refuted_words, row
-from .deck_curve import one_place_for_two
+from .deck_curve import places_for_passages
 
 ORDER = "order for degree: the lecture itself says later that the order is the degree plus 1"
 
@@ -59,12 +59,7 @@ ROWS = [
     row(
         "curve, variation diminishing",
         "curve/variation-diminishing",
-        refuted_words(
-            "a line meets a plane curve in no more points than its control polygon",
-            "the polygon (0, 0), (1, 1), (-1, 1), (6, -6) meets y = 0 in the one point (0, 0), through which it passes "
-            "twice; its curve meets y = 0 in two points, (0, 0) and (3/4, 0). What must be counted are the passages",
-            one_place_for_two,
-        ),
+        places_for_passages("a line meets a plane curve in no more points than its control polygon"),
     ),
     row("de Casteljau, stable", "algorithm/stable"),
     row("de Casteljau, level 0", "casteljau/start"),
