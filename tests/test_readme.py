@@ -1,19 +1,22 @@
 """The README's picture is the one the code draws; its Python runs as a doctest."""
 
-from fractions import Fraction
+import re
 from pathlib import Path
 
 import pytest
 
 from bezteach.examples import EXAMPLES
 from bezteach.ledger.summary import written_into
-from bezteach.widgets.explorers import split_view
+from bezteach.widgets import explore_split
+from bezteach.widgets.board.svg import picture
 
 ROOT = Path(__file__).parents[1]
 
 
 def test_the_picture_is_what_the_explorer_shows():
-    drawn = split_view(EXAMPLES["deck/split"].given["points"], Fraction(1, 3))["svg"]
+    board = explore_split(EXAMPLES["deck/split"].given["points"])
+    (alt,) = re.findall(r"!\[(.*)\]\(\.github/split\.svg\)", (ROOT / "README.md").read_text(encoding="utf-8"))
+    drawn = picture(board.marks, board.view, alt)
     assert (ROOT / ".github" / "split.svg").read_text(encoding="utf-8") == drawn + "\n"
 
 

@@ -13,15 +13,18 @@ COLOURS = {"ink": INK, "first": FIRST, "second": SECOND, "quiet": QUIET, "paper"
 
 
 @mpl.rc_context(STYLE)
-def drawn(marks, view, alt):
-    """Draw marks (``widgets.board.marks``) over a view (x0, y0, x1, y1); a second frame has the derivative's plane."""
+def drawn(marks, view, alt, *, stretched=False):
+    """Draw marks (``widgets.board.marks``) over a view (x0, y0, x1, y1); a second frame has the derivative's plane.
+
+    ``stretched`` gives the axes scales of their own. ``alt`` is the figure's label.
+    """
     count = 1 + any(mark.frame for mark in marks)
     x0, y0, x1, y1 = view
-    height = min(max(6 * (y1 - y0) / (x1 - x0), 2.5), 7)
+    height = 4.2 if stretched else min(max(6 * (y1 - y0) / (x1 - x0), 2.5), 7)
     figure = Figure(figsize=(6 if count == 1 else 10, height), layout="constrained")
     panels = figure.subplots(1, count, squeeze=False).ravel()
     for axes in panels:
-        axes.set(aspect="equal")
+        axes.set(aspect="auto" if stretched else "equal")
         axes.set_axis_off()
     panels[0].set(xlim=(x0, x1), ylim=(y0, y1))
     for mark in marks:
@@ -75,10 +78,15 @@ def _spots(marker):
     return draw
 
 
+def _below(axes, points, mark):
+    for place, word in zip(points, mark.words, strict=True):
+        axes.annotate(word, place, xytext=(0, -16), textcoords="offset points", ha="center", va="center")
+
+
 def _names(axes, points, mark):
     for i, (place, word) in enumerate(zip(points, mark.words, strict=True)):
         neighbours = [points[j] for j in (i - 1, i + 1) if 0 <= j < len(points)]
-        away = place - np.mean(neighbours, axis=0)
+        away = place - np.mean(neighbours, axis=0) if neighbours else np.array([0.0, 1.0])
         away = away / (np.hypot(*away) or 1.0)
         axes.annotate(word, place, xytext=16 * away, textcoords="offset points", ha="center", va="center")
 
@@ -92,4 +100,5 @@ DRAWN = {
     "dots": _spots("o"),
     "squares": _spots("s"),
     "names": _names,
+    "below": _below,
 }

@@ -36,7 +36,7 @@ class Entry(NamedTuple):
 
 
 class Goal(NamedTuple):
-    """A task to be reached by moving something: ``reached`` judges the control points that a reader moves."""
+    """A task to be reached by moving something: ``reached`` judges the state of the board (``widgets.board``)."""
 
     text: str
     reached: Callable

@@ -182,10 +182,17 @@ QUESTIONS = {
     ),
 }
 
+
+def _middle_edge(state):
+    """The way from the second to the third control point of a cubic's part over [a, b]."""
+    part = segment(state.points, state.a, state.b)
+    return tuple(part[2] - part[1])
+
+
 GOALS = {
     "splitting/middle-edge": Goal(
         "Task: choose a and b so that the part's middle edge is horizontal and 2 long, from left to right.",
-        lambda points: tuple(points[2] - points[1]) == (2, 0),
+        lambda state: state.points == ARCH and _middle_edge(state) == (2, 0),
         "Reached. How are a and b related, and how does the length of the middle edge depend on them?",
     ),
 }

@@ -1,10 +1,41 @@
 """What a reader moves, follows and answers in a lesson: the board, explorers, derivations line by line, questions."""
 
 from .asking import ask
-from .basis_explorer import explore_basis
 from .bench import bench
 from .board import Board
-from .explorers import explore_segment, explore_split
+from .explorers import (
+    explore_affine,
+    explore_basis,
+    explore_casteljau,
+    explore_crossings,
+    explore_curvature,
+    explore_elevation,
+    explore_halving,
+    explore_hodograph,
+    explore_powers,
+    explore_quartic,
+    explore_segment,
+    explore_split,
+    explore_tangents,
+)
 from .walking import walk
 
-__all__ = ["Board", "ask", "bench", "explore_basis", "explore_segment", "explore_split", "walk"]
+__all__ = [
+    "Board",
+    "ask",
+    "bench",
+    "explore_affine",
+    "explore_basis",
+    "explore_casteljau",
+    "explore_crossings",
+    "explore_curvature",
+    "explore_elevation",
+    "explore_halving",
+    "explore_hodograph",
+    "explore_powers",
+    "explore_quartic",
+    "explore_segment",
+    "explore_split",
+    "explore_tangents",
+    "walk",
+]

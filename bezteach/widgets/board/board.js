@@ -174,6 +174,7 @@ const PAINTED = {
     const found = endCircle(state.end ? [...points].reverse() : points);
     return found ? [mark("circle", found, "circle"), mark("line", found, "axis"), mark("dots", found, "new")] : [];
   },
+  point: (points, state) => [mark("dots", [pointAt(points, value(state.t))], "point")],
   tangents(points, state) {
     const levels = levelsAt(points, value(state.t));
     const pairs = [points.slice(0, 2), levels.at(-2), points.slice(-2)].filter(([p, q]) => !same(p, q));
@@ -208,7 +209,7 @@ const PAINTED = {
   },
   part(points, state) {
     const part = segment(points, value(state.a), value(state.b));
-    return [mark("curve", part, "right-curve"), mark("line", part, "right"), mark("squares", part, "right")];
+    return [mark("curve", part, "part"), mark("line", part, "right"), mark("squares", part, "right")];
   },
   hodograph(points, state) {
     const arrows = arrowsOf(points);
@@ -234,19 +235,21 @@ export function scene(state) {
     .flatMap((name) => PAINTED[name](points, state));
 }
 
-const nameOf = (i) => "b" + String(i).replace(/\d/g, (digit) => SUBSCRIPTS[digit]);
+const nameOf = (letter, i) => letter + String(i).replace(/\d/g, (digit) => SUBSCRIPTS[digit]);
 
 // ---- The picture: marks as the elements that svg.py writes ----
 
 const MARGIN = 30;
 const NARROW = 520;
 const SAMPLES = 97;
+const STEEP = 0.66;
+const BELOW = 20;
 
-function layout(width, [x0, y0, x1, y1], beside, size) {
+function layout(width, [x0, y0, x1, y1], beside, size, stretched) {
   const margin = MARGIN * size;
   const across = width < NARROW || !beside ? width : Math.round(0.62 * width);
-  const steep = (y1 - y0) / (x1 - x0);
-  const height = Math.round(Math.min(Math.max(steep * (across - 2 * margin) + 2 * margin, 0.4 * across), 0.85 * across));
+  const steep = stretched ? STEEP : (y1 - y0) / (x1 - x0);
+  const height = Math.round(Math.min(Math.max(steep * (across - 2 * margin) + 2 * margin, 0.4 * across), 0.72 * across));
   const first = [0, 0, across, height];
   if (!beside) return [height, [first]];
   const below = Math.round(0.7 * width);
@@ -254,15 +257,16 @@ function layout(width, [x0, y0, x1, y1], beside, size) {
   return [height, [first, [across, 0, width - across, height]]];
 }
 
-function frameOf([left, top, width, height], [x0, y0, x1, y1], size) {
+function frameOf([left, top, width, height], [x0, y0, x1, y1], size, stretched = false) {
   const margin = MARGIN * size;
-  const scale = Math.min((width - 2 * margin) / (x1 - x0), (height - 2 * margin) / (y1 - y0));
-  const x = left + width / 2 - (scale * (x0 + x1)) / 2;
-  const y = top + height / 2 + (scale * (y0 + y1)) / 2;
+  const scales = [(width - 2 * margin) / (x1 - x0), (height - 2 * margin) / (y1 - y0)];
+  const scale = stretched ? scales : [Math.min(...scales), Math.min(...scales)];
+  const x = left + width / 2 - (scale[0] * (x0 + x1)) / 2;
+  const y = top + height / 2 + (scale[1] * (y0 + y1)) / 2;
   return {
     rectangle: [left, top, width, height],
-    place: ([px, py]) => [x + scale * px, y - scale * py],
-    back: ([sx, sy]) => [(sx - x) / scale, (y - sy) / scale],
+    place: ([px, py]) => [x + scale[0] * px, y - scale[1] * py],
+    back: ([sx, sy]) => [(sx - x) / scale[0], (y - sy) / scale[1]],
     diagonal: Math.hypot(width, height),
   };
 }
@@ -276,6 +280,7 @@ function vectorView(marks) {
 function beside(pixels, size) {
   return pixels.map((dot, i) => {
     const near = [pixels[i - 1], pixels[i + 1]].filter(Boolean);
+    if (!near.length) near.push(dot);
     const away = subtract(dot, [0, 1].map((axis) => near.reduce((sum, p) => sum + p[axis], 0) / near.length)); // prettier-ignore
     const length = Math.hypot(...away);
     const unit = length > 1 ? away.map((c) => c / length) : [0, -1];
@@ -315,7 +320,8 @@ function drawn(m, frame, styles, size) {
         .map(([x, y]) => `<rect x="${rounded(x - r)}" y="${rounded(y - r)}" width="${2 * r}" height="${2 * r}" ${look(style.fill, false)}/>`)
         .join("");
     case "names":
-      return beside(pixels, size)
+    case "below":
+      return (m.kind === "below" ? pixels.map(([x, y]) => [x, y + BELOW * size]) : beside(pixels, size))
         .map(([x, y], i) => word(x, y, m.words[i], size))
         .join("");
     default:
@@ -397,7 +403,7 @@ function render({ model, el }) {
 
   // -- moving points: a handle is a control point or one of the line's two
   const handles = () => [
-    ...state.points.map((at, index) => ({ at, list: "points", index, name: nameOf(index) })),
+    ...state.points.map((at, index) => ({ at, list: "points", index, name: nameOf(model.get("letter"), index) })),
     ...(state.show.includes("line") ? state.line.map((at, index) => ({ at, list: "line", index, name: "PQ"[index] })) : []),
   ];
   const view = () => model.get("view").map(Number);
@@ -554,7 +560,7 @@ function render({ model, el }) {
     slider(name, label, high, { low, get: () => [state[name], String(state[name])], set: (x) => ({ [name]: Number(x) }), shown }); // prettier-ignore
   const limits = model.get("limits");
   const rows = [
-    parameter("t", "t", uses("levels", "halves", "tangents", "hodograph")),
+    parameter("t", "t", uses("point", "levels", "halves", "tangents", "hodograph")),
     parameter("a", "a", uses("part")),
     parameter("b", "b", uses("part")),
     counter("end", "circle at t =", 1, 0, uses("circle")),
@@ -596,8 +602,9 @@ function render({ model, el }) {
     const width = Math.max(Math.floor(picture.clientWidth), 240);
     const marks = [...(model.get("answer").marks ?? []), ...scene(state)];
     const two = marks.some((m) => m.frame);
-    const [height, rectangles] = layout(width, view(), two, size());
-    const frames = rectangles.map((rectangle, i) => frameOf(rectangle, i ? vectorView(marks) : view(), size()));
+    const [height, rectangles] = layout(width, view(), two, size(), model.get("vertical"));
+    const frames = rectangles.map((rectangle, i) => i ? frameOf(rectangle, vectorView(marks), size()) : frameOf(rectangle, view(), size(), model.get("vertical")),
+    );
     frame = frames[0];
     root.classList.toggle("bt-projector", model.get("projector"));
     svg.setAttribute("viewBox", `0 0 ${width} ${height}`);

@@ -1,6 +1,7 @@
 """The board: control points to drag, layers to switch on, exact numbers beside them."""
 
 from fractions import Fraction
+from html import escape
 from pathlib import Path
 
 import anywidget
@@ -19,11 +20,14 @@ class Board(anywidget.AnyWidget):
     """A Bézier curve whose control points are moved by mouse, touch and keyboard; its numbers are exact.
 
     ``points``: 2 to 20 rows of two exact numbers; ``t`` in [0, 1]; ``show``: names of layers (``LAYERS``). Further
-    settings of a state by name: ``a``, ``b``, ``line`` (two points), ``level``, ``end``, ``depth``, ``raised``. Moved
-    points snap to multiples of ``grid``. ``vertical`` lets points move up and down only and keeps their number,
-    ``projector`` draws thick lines and large letters. ``offer`` names the layers that the reader may switch.
+    settings of a state by name: ``a``, ``b``, ``line`` (two points), ``level``, ``end``, ``depth``, ``raised``.
 
-    ``blocks`` is a function from a state to what is said beside the picture, in the place of the layers' own words.
+    Moved points snap to multiples of ``grid``. ``vertical`` is for graphs: points move up and down only, their number
+    stays, and the axes have scales of their own. ``projector`` draws thick lines and large letters, ``letter`` names
+    the points, ``offer`` the layers that the reader may switch, ``view`` is the part (x0, y0, x1, y1) of the plane.
+
+    A ``goal`` (``questions.Goal``) is a task for the state, whose end is recognised. ``blocks`` and ``marks`` are
+    functions from a state: what is said in the place of the layers' own words, what is painted under the layers.
 
     A float stands for the fraction it is nearest to, if that has a small denominator. ``ValueError`` names a point
     with other than two coordinates, what is no number, a parameter outside [0, 1], an unknown layer, too few or too
@@ -50,6 +54,7 @@ class Board(anywidget.AnyWidget):
     most = traitlets.Int(MOST).tag(sync=True)
     vertical = traitlets.Bool(False).tag(sync=True)
     projector = traitlets.Bool(False).tag(sync=True)
+    letter = traitlets.Unicode("b").tag(sync=True)
 
     def __init__(
         self,
@@ -60,17 +65,19 @@ class Board(anywidget.AnyWidget):
         grid=None,
         vertical=False,
         projector=False,
+        letter="b",
         offer=tuple(LAYERS),
         view=None,
+        goal=None,
         blocks=words.blocks,
-        marks=None,
+        marks=lambda state: [],
         **settings,
     ):
         start = state_of(points, t=t, show=show, **settings)
         step = _step(start.points) if grid is None else exact(grid, "the grid's step")
         if step <= 0:
             raise ValueError(f"the grid's step is {step}, and must be positive")
-        self._blocks, self._marks = blocks, marks
+        self._blocks, self._marks, self._goal = blocks, marks, goal
         super().__init__(
             state=start,
             home=to_json(start),
@@ -82,6 +89,7 @@ class Board(anywidget.AnyWidget):
             limits={"depth": DEEPEST, "raised": HIGHEST},
             vertical=vertical,
             projector=projector,
+            letter=letter,
         )
 
     @traitlets.observe("state")
@@ -90,11 +98,20 @@ class Board(anywidget.AnyWidget):
 
     def _answered(self, now):
         said = self._blocks(now)
-        extra = [mark._asdict() | {"style": mark.style._asdict()} for mark in self._extra(now)]
-        return {"state": to_json(now), "html": words.html(said), "text": words.text(said), "marks": extra}
+        task = "".join(f"<p role='status'><b>{escape(task)}</b></p>" for task in self._task(now))
+        extra = [mark._asdict() | {"style": mark.style._asdict()} for mark in self._marks(now)]
+        return {"state": to_json(now), "html": task + words.html(said), "text": self._said(now), "marks": extra}
 
-    def _extra(self, now):
-        return self._marks(now) if self._marks else []
+    def _task(self, now):
+        goal = self._goal
+        return [] if goal is None else [goal.praise if goal.reached(now) else goal.text]
+
+    def _said(self, now):
+        return "; ".join([words.text(self._blocks(now)), *self._task(now)])
+
+    def refresh(self):
+        """Say and paint again what has changed beside the state."""
+        self.answer = self._answered(self.state)
 
     def change(self, **settings):
         """Set any settings of the state at once; ``ValueError`` if one is wrong, and then nothing changes."""
@@ -121,23 +138,23 @@ class Board(anywidget.AnyWidget):
     @property
     def text(self):
         """What the board says, in words."""
-        return words.text(self._blocks(self.state))
+        return self._said(self.state)
 
     @property
     def marks(self):
         """What the board shows, as marks."""
-        return self._extra(self.state) + scene.scene(self.state)
+        return self._marks(self.state) + scene.scene(self.state, self.letter)
 
     @property
     def svg(self):
         """The picture as SVG text, for a stored notebook and a printout."""
-        return svg.picture(self.marks, self.view, self.text)
+        return svg.picture(self.marks, self.view, self.text, stretched=self.vertical)
 
     def figure(self):
         """The picture as a matplotlib ``Figure`` for a handout."""
         from ...figures import drawn
 
-        return drawn(self.marks, self.view, self.text)
+        return drawn(self.marks, self.view, self.text, stretched=self.vertical)
 
     def __repr__(self):
         return self.text

@@ -19,8 +19,8 @@ class Mark(NamedTuple):
 
     ``kind``: "line" joins the points, "area" closes and fills what they enclose, "whole" is the line through the first
     two, "curve" has them as control points, "dots" and "squares" mark them, "circle" has the first as its centre and
-    runs through the second, "names" writes ``words`` beside them, away from their neighbours. ``frame`` is 0 for the
-    plane of the curve, 1 for that of its derivative.
+    runs through the second, "names" writes ``words`` beside them, away from their neighbours, "below" under them.
+    ``frame`` is 0 for the plane of the curve, 1 for that of its derivative.
     """
 
     kind: str
@@ -40,6 +40,7 @@ STYLES = {
     "left-curve": Style("first", 5.5),
     "right": Style("second", 2.4, fill="paper", radius=4.5),
     "right-curve": Style("second", 5.5, dash="12 7"),
+    "part": Style("second", 8),
     "tangent": Style("second", 1.8),
     "hull": Style("quiet", 1, fill="first", opacity=0.14),
     "box": Style("quiet", 1.6, dash="5 5"),

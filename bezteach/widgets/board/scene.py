@@ -9,11 +9,11 @@ from .marks import STYLES, Mark
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
-def scene(state):
+def scene(state, letter="b"):
     """The marks of all layers shown, from the bottom to the top, the control points and their names last."""
     points = np.asarray(state.points, dtype=float)
     marks = [mark for name in state.show for mark in PAINTED[name](points, state)]
-    names = tuple(f"b{str(i).translate(SUBSCRIPTS)}" for i in range(len(points)))
+    names = tuple(f"{letter}{str(i).translate(SUBSCRIPTS)}" for i in range(len(points)))
     handles = [_mark("dots", points, "new"), Mark("names", _rows(points), STYLES["new"], names)]
     return marks + handles
 
@@ -32,6 +32,10 @@ def _polygon(points, state):
 
 def _curve(points, state):
     return [_mark("curve", points, "curve")]
+
+
+def _point(points, state):
+    return [_mark("dots", [numeric.evaluate(points, float(state.t))], "point")]
 
 
 def _levels(points, state):
@@ -56,7 +60,7 @@ def _halves(points, state):
 
 def _part(points, state):
     part = numeric.segment(points, float(state.a), float(state.b))
-    return [_mark("curve", part, "right-curve"), _mark("line", part, "right"), _mark("squares", part, "right")]
+    return [_mark("curve", part, "part"), _mark("line", part, "right"), _mark("squares", part, "right")]
 
 
 def _tangents(points, state):
@@ -164,6 +168,7 @@ PAINTED = {
     "elevated": _elevated,
     "halving": _halving,
     "circle": _circle,
+    "point": _point,
     "tangents": _tangents,
     "line": _line,
     "levels": _levels,

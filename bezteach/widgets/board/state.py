@@ -11,6 +11,7 @@ LAYERS = {  # from the bottom of the picture to its top
     "elevated": "elevated polygons",
     "halving": "polygons after halving",
     "circle": "circle of curvature at an end",
+    "point": "the point at t",
     "tangents": "tangents at 0, t and 1",
     "line": "a line and its crossings",
     "levels": "de Casteljau's levels at t",
@@ -159,18 +160,20 @@ def from_json(given):
 def state_of(points, *, line=None, level=None, **settings):
     """A state of what a user gives; ``ValueError`` names the rule and the offender.
 
-    Without a ``line``, it joins the middles of the polygon's first and last edge.
+    Without a ``line``, it is horizontal, at half the height of the points.
     """
     points = points_of(points)
     read = {name: _READERS[name](given, name) for name, given in settings.items()}
-    state = State(points, **read, line=line_of(_middles(points) if line is None else line))
+    state = State(points, **read, line=line_of(_across(points) if line is None else line))
     level = None if level in (None, len(points) - 1) else count_of(level, "level", len(points) - 1)
     return state._replace(level=level)
 
 
-def _middles(points):
-    first, last = ([(p + q) / 2 for p, q in zip(*pair, strict=True)] for pair in (points[:2], points[-2:]))
-    return (first, last) if first != last else (first, [first[0] + 1, first[1]])
+def _across(points):
+    """Two points at half the height of all, to the left and to the right of them."""
+    (x0, x1), (y0, y1) = ((min(axis), max(axis)) for axis in zip(*points, strict=True))
+    half = (y0 + y1) / 2
+    return ((x0, half), (x1 if x1 > x0 else x0 + 1, half))
 
 
 _READERS = {

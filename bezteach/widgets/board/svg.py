@@ -13,23 +13,27 @@ MARGIN = 30
 NARROW = 520  # below this the second frame stands under the first
 SAMPLES = 97
 LETTERS = 17
+STEEP = 0.66  # height by width of a graph
+BELOW = 20  # pixels from a point down to a word under it
 
 
 class Frame:
-    """A rectangle of the picture, (left, top, width, height), and the view (x0, y0, x1, y1) of the plane put on it."""
+    """A rectangle of the picture, (left, top, width, height), and the view (x0, y0, x1, y1) of the plane put on it.
 
-    def __init__(self, rectangle, view):
+    Both axes have one scale, but for graphs, which are stretched.
+    """
+
+    def __init__(self, rectangle, view, stretched=False):
         left, top, width, height = rectangle
         x0, y0, x1, y1 = view
         self.rectangle = rectangle
-        self.scale = min((width - 2 * MARGIN) / (x1 - x0), (height - 2 * MARGIN) / (y1 - y0))
-        self.x = left + width / 2 - self.scale * (x0 + x1) / 2
-        self.y = top + height / 2 + self.scale * (y0 + y1) / 2
+        scales = np.array([(width - 2 * MARGIN) / (x1 - x0), (height - 2 * MARGIN) / (y1 - y0)])
+        self.scale = (scales if stretched else np.repeat(scales.min(), 2)) * (1, -1)
+        self.origin = (left + width / 2, top + height / 2) - self.scale * ((x0 + x1) / 2, (y0 + y1) / 2)
 
     def place(self, points):
         """Pixels, shape (m, 2), of points; y grows upwards in the plane."""
-        x, y = np.asarray(points, dtype=float).T
-        return np.column_stack([self.x + self.scale * x, self.y - self.scale * y])
+        return self.origin + self.scale * np.asarray(points, dtype=float)
 
     @property
     def diagonal(self):
@@ -45,13 +49,13 @@ def room(points, spare=0.12):
     return (float(x0), float(y0), float(x1), float(y1))
 
 
-def layout(width, view, beside):
+def layout(width, view, beside, stretched=False):
     """The height of a picture of this width, and the rectangles of its one or two frames."""
     narrow = width < NARROW
     across = width if narrow or not beside else round(0.62 * width)
     x0, y0, x1, y1 = view
-    steep = (y1 - y0) / (x1 - x0)
-    height = round(min(max(steep * (across - 2 * MARGIN) + 2 * MARGIN, 0.4 * across), 0.85 * across))
+    steep = STEEP if stretched else (y1 - y0) / (x1 - x0)
+    height = round(min(max(steep * (across - 2 * MARGIN) + 2 * MARGIN, 0.4 * across), 0.72 * across))
     first = (0, 0, across, height)
     if not beside:
         return height, [first]
@@ -69,11 +73,11 @@ def vector_view(marks):
     return (-half, -half, half, half)
 
 
-def picture(marks, view, alt, width=WIDTH):
+def picture(marks, view, alt, width=WIDTH, *, stretched=False):
     """The SVG text of marks over a view of the plane, ``width`` pixels wide."""
     beside = any(mark.frame for mark in marks)
-    height, rectangles = layout(width, view, beside)
-    frames = [Frame(rectangle, shown) for rectangle, shown in zip(rectangles, (view, vector_view(marks)), strict=False)]
+    height, rectangles = layout(width, view, beside, stretched)
+    frames = [Frame(rectangles[0], view, stretched), *(Frame(other, vector_view(marks)) for other in rectangles[1:])]
     body = "".join(_clipped(frame, [m for m in marks if m.frame == i]) for i, frame in enumerate(frames))
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" role="img" aria-label="{escape(alt)}" '
@@ -109,14 +113,15 @@ def drawn(mark, frame):
         return [_dot(at, style.radius, whole, COLOURS[style.fill]) for at in pixels]
     if mark.kind == "squares":
         return [_square(at, style._replace(dash="")) for at in pixels]
-    return [_word(at, word) for at, word in zip(beside(pixels), mark.words, strict=True)]
+    places = pixels + (0, BELOW) if mark.kind == "below" else beside(pixels)
+    return [_word(at, word) for at, word in zip(places, mark.words, strict=True)]
 
 
 def beside(pixels):
     """Places for names: away from the neighbours of each point."""
     for i, dot in enumerate(pixels):
         neighbours = [pixels[j] for j in (i - 1, i + 1) if 0 <= j < len(pixels)]
-        away = dot - np.mean(neighbours, axis=0)
+        away = dot - np.mean(neighbours or [dot], axis=0)
         length = float(np.hypot(*away))
         yield dot + 20 * (away / length if length > 1 else np.array([0, -1]))
 

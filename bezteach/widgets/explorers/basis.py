@@ -4,14 +4,16 @@ from fractions import Fraction
 
 import numpy as np
 
-from .. import numeric
-from ..display import number
-from ..palette import FIRST, INK, QUIET, SECOND
-from . import picture
-from .explorers import SUBSCRIPTS, explorer, table
+from ... import numeric
+from ...display import number
+from ..board import svg, words
+from ..board.marks import STYLES, Mark, Style
+from ..board.scene import SUBSCRIPTS
+from .sliders import explorer, slider
 
-DEGREES = range(7)
-_DASHES = ("", "12 7", "3 5")
+DEGREES = tuple(range(7))
+GRAPHS = (Style("first", 3), Style("second", 3, dash="12 7"), Style("ink", 3, dash="3 5"))
+AXES, GUIDE = Style("ink", 1.6), Style("quiet", 1.6, dash="2 5")
 
 
 def explore_basis(n=3, t=Fraction(1, 3)):
@@ -19,34 +21,38 @@ def explore_basis(n=3, t=Fraction(1, 3)):
 
     ``n`` from 0 to 6; ``t`` a multiple of 1/24 in [0, 1]. The sliders are ``.controls["n"]`` and ``.controls["t"]``.
     """
-    return explorer({"n": (n, "n, the degree", DEGREES), "t": (t, "t")}, basis_view)
+    controls = {"n": slider(n, "n, the degree", DEGREES), "t": slider(t, "t")}
+    return explorer(controls, basis_view)
 
 
 def basis_view(n, t):
     """What the explorer shows for degree n at t: {"svg", "html", "text"}."""
     values = numeric.bernstein(n, t)
     names = [f"B{str(i).translate(SUBSCRIPTS)}" for i in range(n + 1)]
+    rows = tuple((name, number(value)) for name, value in zip(names, values, strict=True))
+    said = [words.Block(f"Degree {n} at t = {number(t)}", (*rows, ("sum", number(values.sum()))))]
+    text = words.text(said)
+    return {"svg": svg.picture(_marks(n, t, values, names), VIEW, text), "html": words.html(said), "text": text}
+
+
+VIEW = (0, -0.12, 1, 1.06)
+
+
+def _marks(n, t, values, names):
     peaks = [Fraction(i, n) if n else Fraction(1, 2) for i in range(n + 1)]
+    tops = [(float(at), float(numeric.bernstein(n, at)[i])) for i, at in enumerate(peaks)]
     ticks = sorted({Fraction(0), Fraction(1), Fraction(t)})
-    layers = [
-        picture.polygon([(0, 1), (0, 0), (1, 0)], INK, marker=""),
-        picture.polygon([(t, 0), (t, 1)], QUIET, dash="2 5", marker=""),
-        *[
-            picture.curve(_graph(row), (FIRST, SECOND)[i % 2], dash=_DASHES[i % 3], width=3)
-            for i, row in enumerate(np.eye(n + 1))
-        ],
-        picture.dots([(t, value) for value in values], INK),
-        picture.words([(at, numeric.bernstein(n, at)[i]) for i, at in enumerate(peaks)], names, -16),
-        picture.words([(at, 0) for at in ticks], list(map(number, ticks)), 20),
+    return [
+        Mark("line", ((0, 1), (0, 0), (1, 0)), AXES),
+        Mark("line", ((t, 0), (t, 1)), GUIDE),
+        *[Mark("curve", _graph(row), GRAPHS[i % 3]) for i, row in enumerate(np.eye(n + 1))],
+        Mark("dots", tuple((t, value) for value in values), STYLES["new"]),
+        *[Mark("names", (top,), STYLES["new"], (name,)) for top, name in zip(tops, names, strict=True)],
+        Mark("below", tuple((at, 0) for at in ticks), STYLES["new"], tuple(map(number, ticks))),
     ]
-    rows = [(name, number(value)) for name, value in zip(names, values, strict=True)]
-    total = number(values.sum())
-    text = f"n = {n}, t = {number(t)}: {', '.join(f'{name} = {value}' for name, value in rows)}; sum {total}"
-    html = table(f"Degree {n} at t = {number(t)}", [*rows, ("<b>sum</b>", f"<b>{total}</b>")])
-    return {"svg": picture.picture([(0, 0), (1, 1)], layers, text), "html": html, "text": text}
 
 
 def _graph(coefficients):
     """The graph of a polynomial as a Bézier curve: by linear precision its control points stand at k/n."""
     heights = np.repeat(coefficients, 2) if len(coefficients) == 1 else coefficients
-    return np.column_stack([np.linspace(0, 1, len(heights)), heights])
+    return tuple(zip(np.linspace(0, 1, len(heights)).tolist(), heights.tolist(), strict=True))

@@ -1,0 +1,33 @@
+"""Explorers: a board, or a picture, with controls, for one idea each; what they show is a function of their state."""
+
+from .affine import explore_affine
+from .basis import explore_basis
+from .powers import explore_powers
+from .presets import (
+    explore_casteljau,
+    explore_crossings,
+    explore_curvature,
+    explore_elevation,
+    explore_halving,
+    explore_hodograph,
+    explore_segment,
+    explore_split,
+    explore_tangents,
+)
+from .quartic import explore_quartic
+
+__all__ = [
+    "explore_affine",
+    "explore_basis",
+    "explore_casteljau",
+    "explore_crossings",
+    "explore_curvature",
+    "explore_elevation",
+    "explore_halving",
+    "explore_hodograph",
+    "explore_powers",
+    "explore_quartic",
+    "explore_segment",
+    "explore_split",
+    "explore_tangents",
+]

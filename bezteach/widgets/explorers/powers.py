@@ -1,0 +1,99 @@
+"""One polynomial in two bases: drag its Bernstein coefficients, and they pull the graph; drag those of the powers."""
+
+import ipywidgets as widgets
+
+from ... import numeric
+from ...display import number
+from ..board import Board, svg
+from ..board.marks import STYLES, Mark
+from ..board.words import Block
+from .quartic import AXIS
+from .sliders import beside
+
+
+def explore_powers(heights=(0, 1, 0, 1)):
+    """Two boards side by side, for the graph of one polynomial on [0, 1].
+
+    On the left its Bernstein coefficients, given as ``heights``, stand over 0, 1/n, ..., 1 and can be dragged; on the
+    right the coefficients of 1, t, ..., t^n. What moves on one moves on the other: ``.board`` and ``.powers``.
+    """
+    board = Board(
+        graph(heights),
+        **KEPT,
+        view=_view(heights),
+        marks=lambda state: [AXIS],
+        blocks=lambda state: powers_blocks(state.points),
+    )
+    powers = Board(
+        power_points(board.points),
+        **KEPT | {"show": ()},
+        view=_view(heights, [y for _, y in power_points(board.points)]),
+        letter="a",
+        blocks=lambda state: [],
+        marks=lambda state: [AXIS, Mark("curve", board.points, STYLES["curve"]), *_stems(state.points)],
+    )
+
+    def follow(change):
+        if power_points(board.points) != powers.points:
+            powers.points = power_points(board.points)
+            _grow(powers)
+
+    def lead(change):
+        if bernstein_points(powers.points) != board.points:
+            board.points = bernstein_points(powers.points)
+            _grow(board)
+        powers.refresh()
+
+    board.observe(follow, "state")
+    powers.observe(lead, "state")
+    titled = [
+        widgets.VBox([widgets.HTML(f"<b>{title}</b>"), some], layout=widgets.Layout(flex="1 1 24em", min_width="0"))
+        for title, some in (("Bernstein coefficients", board), ("power coefficients", powers))
+    ]
+    panel = beside(board, {}, [widgets.HBox(titled, layout=widgets.Layout(flex_flow="row wrap"))])
+    panel.powers = powers
+    return panel
+
+
+KEPT = {"show": ("polygon", "curve"), "offer": ("polygon", "curve"), "grid": "1/4", "vertical": True}
+
+
+def graph(heights):
+    """Control points of the graph of a polynomial with these Bernstein coefficients."""
+    places = numeric.from_power([0, 1, *[0] * (len(heights) - 2)])
+    return tuple(zip(places, heights, strict=True))
+
+
+def power_points(points):
+    """The coefficients of the powers, standing over the same places."""
+    return graph(numeric.to_power([y for _, y in points]))
+
+
+def bernstein_points(points):
+    """The Bernstein coefficients for coefficients of the powers."""
+    return graph(numeric.from_power([y for _, y in points]))
+
+
+def powers_blocks(points):
+    """What is said: the coefficients in both bases."""
+    heights = [y for _, y in points]
+    return [
+        Block("of B₀, B₁, ...", (tuple(map(number, heights)),)),
+        Block("of 1, t, t², ...", (tuple(map(number, numeric.to_power(heights))),)),
+    ]
+
+
+def _stems(points):
+    return [Mark("line", ((x, 0), (x, y)), STYLES["box"]) for x, y in points]
+
+
+def _view(*heights):
+    x0, y0, x1, y1 = svg.room([(0, -1), (1, 1), *((0, y) for some in heights for y in some)])
+    return (-0.1, y0, 1.1, y1)
+
+
+def _grow(board):
+    """Make room for points that left the view."""
+    low, high = board.view[1], board.view[3]
+    if any(not low <= y <= high for _, y in board.points):
+        board.view = list(_view([low, high, *(y for _, y in board.points)]))
