@@ -20,6 +20,7 @@ from bezteach.widgets.board.scene import end_circle, hull, scene
 from bezteach.widgets.board.state import State, exact, from_json, state_of, to_json
 
 CUBIC = ((0, 0), (1, 3), (2, 1), (3, 3))
+COORDINATE = st.fractions(-(10**9), 10**9)
 SVG = "{http://www.w3.org/2000/svg}"
 
 # What it takes
@@ -47,10 +48,12 @@ def test_a_number_of_sympy_is_read_exactly():
         ({"points": [(0, 0), (1, float("inf"))]}, "a coordinate of control point b_1 is inf"),
         ({"points": [(0, 0, 0), (1, 1, 1)]}, "control point b_0 has 3 coordinates, and the board is a plane"),
         ({"points": [(0, 0), "12"]}, "control point b_1 has 1 coordinates"),
-        ({"points": [(0, 0), (1, "x")]}, "a coordinate of control point b_1 is 'x', not a number"),
+        ({"points": [(0, 0), (1, "x")]}, "a coordinate of control point b_1 is 'x', not a number like 2, -5/3 or 0.25"),
         ({"points": [(0, 0), (1, True)]}, "a coordinate of control point b_1 is True, not a number"),
         ({"points": [(0, 0), (1, "1/0")]}, "a division by 0"),
-        ({"points": [(0, 0), (1, "1" * 101)]}, "101 characters"),
+        ({"points": [(0, 0), (1, "1" * 301)]}, "not a number like 2, -5/3 or 0.25"),
+        ({"points": [(0, 0), (1, "1e10000000")]}, "not a number like"),
+        ({"points": [(0, 0), (1, -(10**9) - 1)]}, "b_1 is larger than 1000000000: too far away"),
         ({"points": [(0, 0), (1, 0.1234567)]}, "0.1234567, which is no fraction with a denominator up to 1000"),
         ({"t": F(5, 4)}, "t = 5/4 lies outside"),
         ({"t": -0.5}, "t = -1/2 lies outside"),
@@ -82,7 +85,7 @@ def test_a_wrong_change_changes_nothing():
     assert board.state is before
 
 
-@given(st.lists(st.tuples(st.fractions(), st.fractions()), min_size=2, max_size=20), st.fractions(0, 1))
+@given(st.lists(st.tuples(COORDINATE, COORDINATE), min_size=2, max_size=20), st.fractions(0, 1))
 def test_a_state_survives_the_way_to_the_browser_and_back(points, t):
     state = state_of(points, t=t, show=tuple(LAYERS))
     assert from_json(to_json(state)) == state
@@ -196,6 +199,31 @@ def test_the_circle_has_the_curvature_of_the_end(points):
         edge -= np.array(points[0] if t == 0 else points[-2], dtype=float)
         turn = edge[0] * (centre - rim)[1] - edge[1] * (centre - rim)[0]
         assert np.sign(turn) == np.sign(kappa)
+
+
+@given(
+    st.tuples(st.fractions(-9, 9), st.fractions(-9, 9)),
+    st.tuples(st.fractions(-9, 9), st.fractions(-9, 9)),
+    st.fractions(-3, 3),
+    st.fractions(0, 1),
+)
+def test_exact_numbers_decide_what_is_straight_and_what_rests(p, q, s, t):
+    """Three points on a line have no circle, and where the last level is one point there is no tangent."""
+    between = tuple(a + s * (b - a) for a, b in zip(p, q, strict=True))
+    straight = [mark.kind for mark in scene(state_of([p, q, between], show="circle"))]
+    assert "circle" not in straight
+    turned = tuple(2 * a - b if t else b for a, b in zip(p, q, strict=True))
+    rest = scene(state_of([p, p, p, turned], t=0, show="tangents"))
+    assert sum(mark.kind == "whole" for mark in rest) == (p != turned)
+
+
+@pytest.mark.parametrize(
+    ("heights", "squares"), [((1, 0, 0, -1), 1), ((0, 1, -1), 2), ((1, 0, 1), 1), ((0, 0, 0), 0), ((1, 2, 0), 1)]
+)
+def test_edges_on_the_line_are_met_once(heights, squares):
+    points = [(F(x, 7), F(y, 3)) for x, y in enumerate(heights)]
+    found = [m for m in scene(state_of(points, show="line", line=((0, 0), (F(1, 3), 0)))) if m.kind == "squares"]
+    assert sum(len(mark.points) for mark in found) == squares
 
 
 def test_three_points_on_a_line_have_no_circle():

@@ -39,6 +39,7 @@ export function exactLevels(points, t) {
 // ---- The scene: each layer's marks from floats, in the order and the shape of scene.py ----
 
 const SUBSCRIPTS = "₀₁₂₃₄₅₆₇₈₉";
+const ROUNDING = 1e-12; // what is smaller, relatively, is 0: Python decides it exactly
 const between = (p, q, t) => p.map((c, axis) => (1 - t) * c + t * q[axis]);
 const subtract = (p, q) => [p[0] - q[0], p[1] - q[1]];
 const cross = (p, q) => p[0] * q[1] - p[1] * q[0];
@@ -101,9 +102,10 @@ function hull(points) {
 
 function endCircle(points) {
   const first = subtract(points[1], points[0]);
-  const area = cross(first, subtract(points[Math.min(2, points.length - 1)], points[0]));
   const n = points.length - 1;
-  if (area === 0) return null;
+  const second = subtract(points[Math.min(2, n)], points[0]);
+  const area = cross(first, second);
+  if (Math.abs(area) <= ROUNDING * Math.hypot(...first) * Math.hypot(...second)) return null;
   const away = (n * (first[0] ** 2 + first[1] ** 2)) / ((n - 1) * area);
   return [[points[0][0] - away * first[1], points[0][1] + away * first[0]], points[0]];
 }
@@ -112,13 +114,12 @@ const heights = (points, [p, q]) => points.map((b) => cross(subtract(q, p), subt
 
 function polygonCrossings(points, line) {
   const h = heights(points, line);
-  const places = [];
-  for (let i = 0; i + 1 < h.length; i++) {
-    if (h[i] === 0 && (i === 0 || h[i - 1] !== 0) && h[i + 1] !== 0) places.push(points[i]);
-    else if (h[i] * h[i + 1] < 0) places.push(between(points[i], points[i + 1], h[i] / (h[i] - h[i + 1])));
-  }
-  if (h.at(-1) === 0 && h.at(-2) !== 0) places.push(points.at(-1));
-  return places;
+  const size = Math.max(...h.map(Math.abs));
+  const sign = h.map((x) => (Math.abs(x) <= ROUNDING * size ? 0 : Math.sign(x)));
+  if (!sign.some(Boolean)) return [];
+  const places = points.filter((_, i) => sign[i] === 0 && (i === 0 || sign[i - 1] !== 0));
+  const edges = points.map((_, i) => i).filter((i) => sign[i] * sign[i + 1] < 0);
+  return [...places, ...edges.map((i) => between(points[i], points[i + 1], h[i] / (h[i] - h[i + 1])))];
 }
 
 const TINY = 1e-9;
@@ -150,7 +151,7 @@ function curveCrossings(points, line) {
 }
 
 const mark = (kind, points, style, frame = 0) => ({ kind, points, style, frame });
-const same = (p, q) => p[0] === q[0] && p[1] === q[1];
+const same = (p, q, size) => Math.hypot(...subtract(p, q)) <= ROUNDING * size;
 const parity = (i) => (i % 2 ? "odd" : "even");
 
 const PAINTED = {
@@ -177,7 +178,8 @@ const PAINTED = {
   point: (points, state) => [mark("dots", [pointAt(points, value(state.t))], "point")],
   tangents(points, state) {
     const levels = levelsAt(points, value(state.t));
-    const pairs = [points.slice(0, 2), levels.at(-2), points.slice(-2)].filter(([p, q]) => !same(p, q));
+    const size = Math.max(...points.flat().map(Math.abs));
+    const pairs = [points.slice(0, 2), levels.at(-2), points.slice(-2)].filter(([p, q]) => !same(p, q, size));
     return [...pairs.map((pair) => mark("whole", pair, "tangent")), mark("dots", levels.at(-1), "point")];
   },
   line(points, state) {
@@ -223,6 +225,7 @@ const PAINTED = {
       mark("dots", arrows, "new", 1),
       mark("line", [[0, 0], tip], "vector", 1),
       mark("dots", [tip], "point", 1),
+      { ...mark("names", [tip], "point", 1), words: ["p′(t)"] },
       mark("dots", [pointAt(points, t)], "point"),
     ];
   },
@@ -240,7 +243,7 @@ const nameOf = (letter, i) => letter + String(i).replace(/\d/g, (digit) => SUBSC
 // ---- The picture: marks as the elements that svg.py writes ----
 
 const MARGIN = 30;
-const NARROW = 520;
+const NARROW = 460;
 const SAMPLES = 97;
 const STEEP = 0.66;
 const BELOW = 20;

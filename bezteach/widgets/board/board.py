@@ -8,6 +8,7 @@ import anywidget
 import traitlets
 
 from . import scene, svg, words
+from .blocks import html, text
 from .marks import STYLES
 from .state import DEEPEST, HIGHEST, LAYERS, MOST, State, exact, from_json, layers_of, state_of, to_json
 
@@ -97,17 +98,17 @@ class Board(anywidget.AnyWidget):
         self.answer = self._answered(change.new)
 
     def _answered(self, now):
-        said = self._blocks(now)
-        task = "".join(f"<p role='status'><b>{escape(task)}</b></p>" for task in self._task(now))
-        extra = [mark._asdict() | {"style": mark.style._asdict()} for mark in self._marks(now)]
-        return {"state": to_json(now), "html": task + words.html(said), "text": self._said(now), "marks": extra}
+        said, task = self._blocks(now), self._task(now)
+        return {
+            "state": to_json(now),
+            "html": "".join(f"<p role='status'><b>{escape(words)}</b></p>" for words in task) + html(said),
+            "text": "; ".join([text(said), *task]),
+            "marks": [mark._asdict() | {"style": mark.style._asdict()} for mark in self._marks(now)],
+        }
 
     def _task(self, now):
         goal = self._goal
         return [] if goal is None else [goal.praise if goal.reached(now) else goal.text]
-
-    def _said(self, now):
-        return "; ".join([words.text(self._blocks(now)), *self._task(now)])
 
     def refresh(self):
         """Say and paint again what has changed beside the state."""
@@ -138,7 +139,7 @@ class Board(anywidget.AnyWidget):
     @property
     def text(self):
         """What the board says, in words."""
-        return self._said(self.state)
+        return self.answer["text"]
 
     @property
     def marks(self):

@@ -16,17 +16,13 @@ def heights(points, line):
 
 
 def polygon_crossings(points, line):
-    """Points in which the polygon's edges meet the line, shape (m, 2); an edge on the line counts as none."""
+    """Points in which a polygon meets a line, arrays of exact points; of edges on the line the first point."""
     h = heights(points, line)
-    places = []
-    for i in range(len(points) - 1):
-        if h[i] == 0 and (i == 0 or h[i - 1] != 0) and h[i + 1] != 0:
-            places.append(points[i])
-        elif h[i] * h[i + 1] < 0:
-            places.append(points[i] + (points[i + 1] - points[i]) * h[i] / (h[i] - h[i + 1]))
-    if h[-1] == 0 and h[-2] != 0:
-        places.append(points[-1])
-    return places
+    if not h.any():
+        return []
+    places = [points[i] for i in range(len(h)) if h[i] == 0 and (i == 0 or h[i - 1] != 0)]
+    edges = [i for i in range(len(h) - 1) if h[i] * h[i + 1] < 0]
+    return places + [points[i] + (points[i + 1] - points[i]) * (h[i] / (h[i] - h[i + 1])) for i in edges]
 
 
 def curve_crossings(points, line):

@@ -1,5 +1,7 @@
 """The marks of a board's layers, each layer a function of the state; ``board.js`` paints the same ones in a browser."""
 
+from fractions import Fraction
+
 import numpy as np
 
 from ... import numeric
@@ -64,9 +66,11 @@ def _part(points, state):
 
 
 def _tangents(points, state):
-    levels = numeric.de_casteljau(points, float(state.t))
-    pairs = [points[:2], levels[-2], points[-2:]]
-    return [_mark("whole", pair, "tangent") for pair in pairs if np.ptp(pair, axis=0).any()] + [
+    """Where two points that give a tangent coincide, which exact numbers tell, there is none."""
+    exact = np.array(state.points, dtype=object)
+    levels = numeric.de_casteljau(exact, state.t)
+    pairs = [exact[:2], levels[-2], exact[-2:]]
+    return [_mark("whole", pair, "tangent") for pair in pairs if (pair[0] != pair[1]).any()] + [
         _mark("dots", levels[-1], "point")
     ]
 
@@ -82,6 +86,7 @@ def _hodograph(points, state):
         _mark("dots", arrows, "new", 1),
         _mark("line", [(0, 0), tip], "vector", 1),
         _mark("dots", [tip], "point", 1),
+        Mark("names", _rows([tip]), STYLES["point"], ("p′(t)",), 1),
         _mark("dots", numeric.de_casteljau(points, float(state.t))[-1], "point"),
     ]
 
@@ -89,7 +94,7 @@ def _hodograph(points, state):
 def _hull(points, state):
     (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
     box = [(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)]
-    return [_mark("area", hull(points), "hull"), _mark("line", box, "box")]
+    return [_mark("area", hull(state.points), "hull"), _mark("line", box, "box")]
 
 
 def hull(points):
@@ -114,14 +119,15 @@ def _turn(p, q, r):
 
 
 def _circle(points, state):
-    found = end_circle(points[::-1] if state.end else points)
+    exact = np.array(state.points, dtype=object)
+    found = end_circle(exact[::-1] if state.end else exact)
     if found is None:
         return []
     return [_mark("circle", found, "circle"), _mark("line", found, "axis"), _mark("dots", found, "new")]
 
 
 def end_circle(points):
-    """(centre, b_0) of the circle of curvature at t = 0, None where there is none."""
+    """(centre, b_0) of the circle of curvature at t = 0 of exact points, an array; None where there is none."""
     first = points[1] - points[0]
     second = points[min(2, len(points) - 1)] - points[0]
     area = first[0] * second[1] - first[1] * second[0]
@@ -129,15 +135,16 @@ def end_circle(points):
     if area == 0:
         return None
     # the radius is n |first|^3 / ((n-1) area), measured along the normal, which is as long as the edge
-    away = n * (first @ first) / ((n - 1) * area)
+    away = Fraction(n, n - 1) * (first @ first) / area
     return points[0] + away * np.array([-first[1], first[0]]), points[0]
 
 
 def _line(points, state):
     line = np.asarray(state.line, dtype=float)
+    exact = (np.array(rows, dtype=object) for rows in (state.points, state.line))
     marks = [_mark("whole", line, "line")]
     for kind, places, style in (
-        ("squares", polygon_crossings(points, line), "polygon-crossing"),
+        ("squares", polygon_crossings(*exact), "polygon-crossing"),
         ("dots", curve_crossings(points, line), "crossing"),
     ):
         marks += [_mark(kind, places, style)] if len(places) else []

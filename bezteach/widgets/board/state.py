@@ -1,5 +1,6 @@
 """What a board shows: points, parameters and layers as exact numbers, read from anywhere, refused if they are wrong."""
 
+import re
 from fractions import Fraction
 from math import isfinite
 from typing import NamedTuple
@@ -21,6 +22,8 @@ LAYERS = {  # from the bottom of the picture to its top
 }
 FEWEST, MOST = 2, 20
 DEEPEST, HIGHEST = 6, 12  # halvings and elevations: more cannot be told apart on a screen
+LARGEST = 10**9  # of a coordinate: the pictures are computed in floats
+_NUMBER = re.compile(r"[+-]?[0-9]{1,300}(/[0-9]{1,300}|\.[0-9]{1,300})?")
 FINEST = 1000  # the largest denominator that a float may stand for
 
 
@@ -63,8 +66,8 @@ def exact(value, name):
         return near
     if isinstance(value, bool) or value is None:
         raise ValueError(f"{name} is {value}, not a number")
-    if isinstance(value, str) and len(value) > 100:
-        raise ValueError(f"{name} has {len(value)} characters: too long for a number")
+    if isinstance(value, str) and not _NUMBER.fullmatch(value):
+        raise ValueError(f"{name} is {value[:30]!r}, not a number like 2, -5/3 or 0.25")
     try:
         return Fraction(value)
     except ZeroDivisionError:
@@ -131,7 +134,14 @@ def _pair(row, name):
     numbers = list(row) if hasattr(row, "__len__") and not isinstance(row, str) else [row]
     if len(numbers) != 2:
         raise ValueError(f"{name} has {len(numbers)} coordinates, and the board is a plane")
-    return tuple(exact(value, f"a coordinate of {name}") for value in numbers)
+    return tuple(_coordinate(value, f"a coordinate of {name}") for value in numbers)
+
+
+def _coordinate(given, name):
+    value = exact(given, name)
+    if abs(value) > LARGEST:
+        raise ValueError(f"{name} is larger than {LARGEST}: too far away for a picture")
+    return value
 
 
 def to_json(state):

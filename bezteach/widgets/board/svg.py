@@ -10,7 +10,7 @@ from ...palette import FIRST, INK, QUIET, SECOND
 COLOURS = {"ink": INK, "first": FIRST, "second": SECOND, "quiet": QUIET, "paper": "#ffffff", "none": "none"}
 WIDTH = 640
 MARGIN = 30
-NARROW = 520  # below this the second frame stands under the first
+NARROW = 460  # below this the second frame stands under the first
 SAMPLES = 97
 LETTERS = 17
 STEEP = 0.66  # height by width of a graph

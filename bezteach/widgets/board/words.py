@@ -1,28 +1,14 @@
 """What a board says beside its picture, in exact numbers: for each layer shown some titled rows."""
 
-from decimal import Context, Decimal
 from fractions import Fraction
 from functools import lru_cache
-from html import escape
-from math import isqrt
-from typing import NamedTuple
 
 import numpy as np
 
 from ... import numeric
 from ...display import number, point
-from .counting import roots_inside, sign_changes
-from .crossings import heights
-from .scene import hull
-
-WIDTH = 6  # cells in a row of a list
-
-
-class Block(NamedTuple):
-    """Rows of cells under a title, all of them text."""
-
-    title: str
-    rows: tuple
+from .blocks import Block, exact_array, listed, name_of, root_of, times
+from .shape_words import circle_said, hull_said, line_said
 
 
 def blocks(state):
@@ -34,65 +20,10 @@ def blocks(state):
     Control points ('(0, 0)', '(1, 2)', '(2, 0)')
     Control points in degree 3 (升阶) ('(0, 0)', '(2/3, 4/3)', '(4/3, 4/3)', '(2, 0)')
     """
-    said = [Block("Control points", _points(state.points))]
+    said = [Block("Control points", listed(state.points))]
     for name in state.show:
         said += SAID[name](state) if name in SAID else []
     return said
-
-
-def html(said):
-    """Blocks as HTML.
-
-    >>> html([Block("Box", (("x < 1", "y"),))])
-    '<b>Box</b><table><tr><td>x &lt; 1</td><td>y</td></tr></table>'
-    """
-    return "".join(f"<b>{escape(title)}</b><table>{''.join(map(_row, rows))}</table>" for title, rows in said)
-
-
-def _row(cells):
-    return f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in cells)}</tr>"
-
-
-def text(said):
-    """Blocks in one line of words.
-
-    >>> text([Block("Box", (("x", "[0, 1]"), ("y", "[2, 3]")))])
-    'Box: x [0, 1], y [2, 3]'
-    """
-    return "; ".join(f"{title}: {', '.join(' '.join(row) for row in rows)}" for title, rows in said)
-
-
-def _cells(cells):
-    """A list as rows that are not too long."""
-    return tuple(tuple(cells[i : i + WIDTH]) for i in range(0, len(cells), WIDTH))
-
-
-def _points(points):
-    return _cells([point(p) for p in points])
-
-
-def _exact(points):
-    """Points as an array of exact numbers."""
-    return np.array(points, dtype=object)
-
-
-def _name(i, level=0):
-    return f"b_{i}^{level}" if level else f"b_{i}"
-
-
-def _root(square, sign=""):
-    """The root of an exact number: exact if it is rational, else three digits, marked as such."""
-    square = Fraction(square)
-    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
-    if root * root == square:
-        return number(-root if sign else root)
-    exact = Context(prec=30)  # decimals, because a float ends at 1e308
-    three = Context(prec=3).plus(exact.sqrt(exact.divide(Decimal(square.numerator), Decimal(square.denominator))))
-    return f"about {sign}{three:{'f' if -5 <= three.adjusted() < 7 else 'e'}}"
-
-
-def _times(count):
-    return "once" if count == 1 else f"{count} times"
 
 
 @lru_cache(maxsize=2)
@@ -103,7 +34,7 @@ def _triangle(points, t):
 
 def _cut(levels):
     """Control points of both halves: the first points of the levels, and the last ones from the last level back."""
-    return _exact([level[0] for level in levels]), _exact([level[-1] for level in levels[::-1]])
+    return exact_array([level[0] for level in levels]), exact_array([level[-1] for level in levels[::-1]])
 
 
 def _point(state):
@@ -121,8 +52,8 @@ def _levels(state):
 def _halves(state):
     left, right = _cut(_triangle(state.points, state.t))
     return [
-        Block(f"Left half (前半段) {_over(0, state.t)}, circles", _points(left)),
-        Block(f"Right half (后半段) {_over(state.t, 1)}, squares", _points(right)),
+        Block(f"Left half (前半段) {_over(0, state.t)}, circles", listed(left)),
+        Block(f"Right half (后半段) {_over(state.t, 1)}, squares", listed(right)),
         Block("Cut point", ((f"p({number(state.t)})", point(right[0])),)),
     ]
 
@@ -135,7 +66,7 @@ def _over(start, end):
 def _part(state):
     a, b = state.a, state.b
     where = f"from {number(a)} back to {number(b)}, run backwards" if a > b else _over(a, b)
-    return [Block(f"Part (子曲线段) {where}", _points(_between(state.points, a, b))), *_local(a, b)]
+    return [Block(f"Part (子曲线段) {where}", listed(_between(state.points, a, b))), *_local(a, b)]
 
 
 def _between(points, a, b):
@@ -163,7 +94,7 @@ def _tangents(state):
     edge = end - start
     rows = [
         (f"p({t})", point(levels[-1][0])),
-        (f"edge {_name(0, n - 1)} {_name(1, n - 1)}", point(edge)),
+        (f"edge {name_of(0, n - 1)} {name_of(1, n - 1)}", point(edge)),
         (f"p'({t}) = {n} times the edge", point(n * edge)),
     ]
     if not edge.any():
@@ -193,120 +124,38 @@ def _hodograph(state):
         "p''(1)": second[-1],
     }
     return [
-        Block(f"Control points of the hodograph (速端曲线), degree {len(first) - 1}", _points(first)),
+        Block(f"Control points of the hodograph (速端曲线), degree {len(first) - 1}", listed(first)),
         Block("Derivatives", tuple((name, point(vector)) for name, vector in derivatives.items())),
     ]
 
 
-def _hull(state):
-    corners = hull(state.points)
-    names = {}
-    for i, place in enumerate(state.points):
-        names.setdefault(place, []).append(_name(i))
-    rest = [place for place in names if place not in corners]
-    boundary = {place for place in rest if _on_boundary(place, corners)}
-    kind = {1: "a point", 2: "a segment with 2 ends"}.get(len(corners), f"{len(corners)} corners counter-clockwise")
-    lists = {
-        f"Convex hull (凸包), {kind}": corners,
-        "On its boundary, no corners": [place for place in rest if place in boundary],
-        "Inside": [place for place in rest if place not in boundary],
-    }
-    said = [Block(title, _cells([" = ".join(names[p]) for p in places])) for title, places in lists.items() if places]
-    sides = (f"[{number(min(side))}, {number(max(side))}]" for side in zip(*state.points, strict=True))
-    return [*said, Block("Its box", ((" × ".join(sides),),))]
-
-
-def _on_boundary(place, corners):
-    edges = zip(corners, corners[1:] + corners[:1], strict=True)
-    return any(heights(_exact([place]), _exact(edge))[0] == 0 for edge in edges)
-
-
-def _circle(state):
-    n, end = len(state.points) - 1, state.end
-    near, first = (state.points[-3:], max(n - 2, 0)) if end else (state.points[:3], 0)
-    names = [_name(first + k) for k in range(len(near))]
-    return [Block(f"Curvature (曲率) at t = {end}", _curvature(_exact(near), names, n, end))]
-
-
-def _curvature(near, names, n, end):
-    """Rows on the curvature at an end from the three points next to it: (n-1)/n area / L^3, positive to the left.
-
-    L is the end edge's length, so the radius n L^3 / ((n-1) area) along the normal is a rational multiple of the edge.
-    """
-    own = slice(-2, None) if end else slice(0, 2)
-    edge = near[own][1] - near[own][0]
-    length2, area = edge @ edge, heights(near, near)[-1]
-    if length2 == 0:
-        return ((f"{' = '.join(names[own])}, so p'({end}) = 0: the end edge gives no curvature",),)
-    if area == 0:
-        why = "degree 1" if n == 1 else f"{', '.join(names)} lie on one line"
-        return (("curvature", "0"), (f"{why}: the circle is a straight line",))
-    away = Fraction(n, n - 1) * length2 / area
-    radius2 = away * away * length2
-    return (
-        (f"length L of the edge {' '.join(names[own])}", _root(length2)),
-        (f"area of the parallelogram {' '.join(names[:2])}, {' '.join(names[1:])}", number(area)),
-        (f"curvature {number(Fraction(n - 1, n))} area / L^3", _root(1 / radius2, "-" if area < 0 else "")),
-        ("its square", number(1 / radius2)),
-        ("the curve turns", "left" if area > 0 else "right"),
-        ("radius", _root(radius2)),
-        ("its square", number(radius2)),
-        ("centre", point(near[-end] + away * np.array([-edge[1], edge[0]]))),
-    )
-
-
-def _line(state):
-    found = heights(_exact(state.points), _exact(state.line)).tolist()
-    return [
-        Block("Heights over the line, times the distance of its two points", _cells([number(h) for h in found])),
-        Block("How often the line passes (变差缩减)", _passages(found)),
-    ]
-
-
-def _passages(found):
-    inside = roots_inside(found)
-    if inside is None:
-        return (("polygon and curve lie on the line",),)
-    passages, touches = inside
-    ends = ((found[0], _name(0), "begin"), (found[-1], _name(len(found) - 1), "end"))
-    rows = [
-        ("through the polygon", _times(sign_changes(found))),
-        ("through the curve", f"{_times(passages)}: never more than through the polygon"),
-    ]
-    rows += [("touches the curve", _times(touches))] if touches else []
-    rows += [
-        (f"{name} is on the line", f"polygon and curve {verb} there, not counted") for h, name, verb in ends if not h
-    ]
-    return tuple(rows)
-
-
 def _elevated(state):
     raised = numeric.elevate(state.points, state.raised)
-    return [Block(f"Control points in degree {len(raised) - 1} (升阶)", _points(raised))]
+    return [Block(f"Control points in degree {len(raised) - 1} (升阶)", listed(raised))]
 
 
 def _halving(state):
     """Polygon and curve are nowhere further apart than n D / (8 4^depth): the ledger's limit/halving."""
     n, pieces = len(state.points) - 1, 2**state.depth
-    bend2 = max((bend @ bend for bend in np.diff(_exact(state.points), 2, axis=0)), default=0)
+    bend2 = max((bend @ bend for bend in np.diff(exact_array(state.points), 2, axis=0)), default=0)
     share = Fraction(n, 8 * pieces**2)
     rows = (
         ("pieces", f"2^{state.depth} = {pieces}"),
         ("control points, joints once", number(pieces * n + 1)),
-        ("D, the longest second difference", _root(bend2)),
-        (f"polygon to curve at most {n} D / (8 × 4^{state.depth})", _root(share * share * bend2)),
+        ("D, the longest second difference", root_of(bend2)),
+        (f"polygon to curve at most {n} D / (8 × 4^{state.depth})", root_of(share * share * bend2)),
     )
-    return [Block(f"All pieces halved {_times(state.depth)} (分割极限定理)", rows)]
+    return [Block(f"All pieces halved {times(state.depth)} (分割极限定理)", rows)]
 
 
 SAID = {
-    "hull": _hull,
+    "hull": hull_said,
     "elevated": _elevated,
     "halving": _halving,
-    "circle": _circle,
+    "circle": circle_said,
     "point": _point,
     "tangents": _tangents,
-    "line": _line,
+    "line": line_said,
     "levels": _levels,
     "halves": _halves,
     "part": _part,

@@ -8,8 +8,8 @@ import numpy as np
 from ... import numeric
 from ...display import point
 from ..board import Board, svg
+from ..board.blocks import Block
 from ..board.marks import STYLES, Mark, Style
-from ..board.words import Block
 from .sliders import beside
 
 MAPS = {

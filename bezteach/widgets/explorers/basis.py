@@ -6,7 +6,9 @@ import numpy as np
 
 from ... import numeric
 from ...display import number
-from ..board import svg, words
+from ..board import svg
+from ..board.blocks import Block, html
+from ..board.blocks import text as in_words
 from ..board.marks import STYLES, Mark, Style
 from ..board.scene import SUBSCRIPTS
 from .sliders import explorer, slider
@@ -30,9 +32,9 @@ def basis_view(n, t):
     values = numeric.bernstein(n, t)
     names = [f"B{str(i).translate(SUBSCRIPTS)}" for i in range(n + 1)]
     rows = tuple((name, number(value)) for name, value in zip(names, values, strict=True))
-    said = [words.Block(f"Degree {n} at t = {number(t)}", (*rows, ("sum", number(values.sum()))))]
-    text = words.text(said)
-    return {"svg": svg.picture(_marks(n, t, values, names), VIEW, text), "html": words.html(said), "text": text}
+    said = [Block(f"Degree {n} at t = {number(t)}", (*rows, ("sum", number(values.sum()))))]
+    text = in_words(said)
+    return {"svg": svg.picture(_marks(n, t, values, names), VIEW, text), "html": html(said), "text": text}
 
 
 VIEW = (0, -0.12, 1, 1.06)

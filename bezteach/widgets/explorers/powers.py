@@ -5,8 +5,8 @@ import ipywidgets as widgets
 from ... import numeric
 from ...display import number
 from ..board import Board, svg
+from ..board.blocks import Block
 from ..board.marks import STYLES, Mark
-from ..board.words import Block
 from .quartic import AXIS
 from .sliders import beside
 

@@ -6,9 +6,9 @@ from ... import numeric
 from ...display import number
 from ...examples import EXAMPLES
 from ..board import Board
+from ..board.blocks import Block
 from ..board.counting import roots_inside, sign_changes
 from ..board.marks import STYLES, Mark
-from ..board.words import Block
 from .sliders import beside, slider
 
 AXIS = Mark("whole", ((0, 0), (1, 0)), STYLES["axis"])
