@@ -456,7 +456,7 @@ function render({ model, el }) {
     if (!handle || event.button > 0) return;
     event.preventDefault();
     svg.setPointerCapture(event.pointerId);
-    held = { ...handle, fresh: true };
+    held = { ...handle, fresh: true, offset: subtract(frame.place(handle.at.map(value)), where(event)) };
     focusOn(handle);
   });
   svg.addEventListener("pointermove", (event) => {
@@ -465,13 +465,14 @@ function render({ model, el }) {
       return;
     }
     const before = state;
-    drag({ ...held, at: state[held.list][held.index] }, where(event), { recorded: held.fresh });
+    const to = where(event).map((c, axis) => c + held.offset[axis]);
+    drag({ ...held, at: state[held.list][held.index] }, to, { recorded: held.fresh });
     if (state !== before) held.fresh = false;
   });
   for (const ending of ["pointerup", "pointercancel"]) svg.addEventListener(ending, () => (held = null));
   svg.addEventListener("touchmove", (event) => held && event.preventDefault(), { passive: false });
 
-  const focusOn = ({ list, index }) => above.querySelector(`[data-handle="${list}${index}"]`)?.focus();
+  const focusOn = ({ list, index }) => above.querySelector(`[data-handle="${list}${index}"]`)?.focus({ preventScroll: true });
   root.addEventListener("keydown", (event) => {
     const handle = handles().find(({ list, index }) => event.target.dataset?.handle === list + index);
     const typed = event.ctrlKey || event.metaKey ? `Ctrl+${event.key.toLowerCase()}` : event.key;
@@ -703,12 +704,9 @@ function render({ model, el }) {
 
   const changed = () => {
     const given = model.get("state");
-    if (JSON.stringify(given) !== JSON.stringify(state)) {
-      if (!held && !playing) {
-        remember();
-        state = given;
-      }
-    }
+    if (held || playing || JSON.stringify(given) === JSON.stringify(state)) return;
+    remember();
+    state = given;
     paint();
   };
   model.on("change:state", changed);
