@@ -43,6 +43,24 @@ def test_a_preset_is_a_board_whose_layers_can_be_switched(explore, points):
     assert board.text and "nan" not in board.svg
 
 
+ENDS = [
+    *[(explore, {"t": t}) for explore in (PRESETS[0], PRESETS[5], PRESETS[7], PRESETS[8]) for t in (0, 1)],
+    *[(widgets.explore_casteljau, {"level": level}) for level in (0, None)],
+    *[(widgets.explore_segment, {"a": a, "b": b}) for a, b in ((0, 1), (1, 0), (0, 0), (1, 1))],
+    *[(widgets.explore_curvature, {"end": end}) for end in (0, 1)],
+    *[(widgets.explore_elevation, {"raised": raised}) for raised in (0, 12)],
+    *[(widgets.explore_halving, {"depth": depth}) for depth in (0, 6)],
+]
+
+
+@pytest.mark.parametrize(("explore", "settings"), ENDS, ids=lambda value: getattr(value, "__name__", str(value)))
+@pytest.mark.parametrize("points", [CUBIC, *DEGENERATE])
+def test_a_preset_stands_at_the_ends_of_its_controls(explore, settings, points):
+    board = explore(points, **settings)
+    assert all(getattr(board.state, name) == value for name, value in settings.items())
+    assert board.text and "nan" not in board.svg and "inf" not in board.svg
+
+
 def test_split_starts_at_the_slide_s_example():
     board = widgets.explore_split(CUBIC)
     assert board.t == F(1, 3)
