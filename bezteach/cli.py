@@ -33,7 +33,7 @@ def lab_arguments(parser):
     """Declare what ``lab`` understands."""
     parser.add_argument(
         "--dir",
-        type=_folder,
+        type=_path,
         metavar="DIR",
         help="the folder to work in (default: bezteach-lessons in your home)",
     )
@@ -98,16 +98,37 @@ def run_errata(arguments):
     return run_errata(arguments)
 
 
+def export_arguments(parser):
+    """Declare what ``export`` understands."""
+    parser.add_argument("file", type=_path, metavar="FILE.html", help="where the page goes")
+    parser.add_argument(
+        "--example",
+        default="deck/split",
+        metavar="NAME",
+        help="the example that it starts from (default: deck/split)",
+    )
+    parser.add_argument("--force", action="store_true", help="overwrite a file that is there")
+
+
+def run_export(arguments):
+    """Set up what is lacking, then write a board as a page of its own."""
+    virtualenv.ready("", arguments.all)
+    from bezteach.exporting import run_export
+
+    return run_export(arguments)
+
+
 SOURCES = ("deck", "games", "notes", "transcript")
 COMMANDS = {
     "lab": Command("set up, and open the lessons in JupyterLab", run_lab, lab_arguments),
     "test": Command("set up, and run every test (arguments are pytest's)", run_test),
     "prove": Command("prove the formulas of the course, or one of your own", run_prove, prove_arguments),
     "errata": Command("what the sources print wrongly, with counterexamples", run_errata, errata_arguments),
+    "export": Command("write a draggable board as one page that needs no Python", run_export, export_arguments),
 }
 
 
-def _folder(text):
+def _path(text):
     if not text.strip():
         raise argparse.ArgumentTypeError("the name is empty")
     return Path(text)
