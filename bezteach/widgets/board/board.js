@@ -347,6 +347,7 @@ const element = (tag, attributes = {}, ...children) => {
   return made;
 };
 
+const NARROWEST = 240; // pixels of a picture
 const REACH = 26; // pixels around a point in which a finger or a pointer takes it
 const BIG = 5n; // grid steps of an arrow key with Shift
 const TICKS = 120; // of t while it plays; the slider stops at every fifth
@@ -360,6 +361,8 @@ function render({ model, el }) {
   let playing = null;
   let frame = null;
   let history = [];
+  let width = 640;
+  let own = JSON.stringify(model.get("answer").marks); // what Python wants painted under the layers
   const styles = model.get("styles");
   const size = () => (model.get("projector") ? 1.6 : 1);
   const grid = () => read(model.get("grid"));
@@ -603,7 +606,6 @@ function render({ model, el }) {
 
   // -- painting
   const paint = () => {
-    const width = Math.max(Math.floor(picture.clientWidth), 240);
     const marks = [...(model.get("answer").marks ?? []), ...scene(state)];
     const two = marks.some((m) => m.frame);
     const [height, rectangles] = layout(width, view(), two, size(), model.get("vertical"));
@@ -611,9 +613,11 @@ function render({ model, el }) {
     );
     frame = frames[0];
     root.classList.toggle("bt-projector", model.get("projector"));
-    svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-    svg.setAttribute("width", width);
-    svg.setAttribute("height", height);
+    if (svg.getAttribute("viewBox") !== `0 0 ${width} ${height}`) { // what is set anew is laid out anew, with the page
+      svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+      svg.setAttribute("width", width);
+      svg.setAttribute("height", height);
+    }
     under.innerHTML = frames
       .map(({ rectangle: [x, y, w, h] }, i) => {
         const own = marks.filter((m) => m.frame === i).map((m) => drawn(m, frames[i], styles, size()));
@@ -665,7 +669,12 @@ function render({ model, el }) {
     });
   };
 
+  let controlled = "";
   const paintControls = () => {
+    const { points, line, ...settings } = state;
+    const key = JSON.stringify([settings, points.length, history.length > 0, !!playing, model.get("projector")]);
+    if (key === controlled) return;
+    controlled = key;
     for (const { box, input, output, get, shown } of rows) {
       box.hidden = !shown();
       if (box.hidden) continue;
@@ -702,6 +711,12 @@ function render({ model, el }) {
     }
   };
 
+  const answered = () => {
+    const marks = JSON.stringify(model.get("answer").marks);
+    if (marks === own) return paintReadout();
+    own = marks;
+    paint();
+  };
   const changed = () => {
     const given = model.get("state");
     if (held || playing || JSON.stringify(given) === JSON.stringify(state)) return;
@@ -710,17 +725,23 @@ function render({ model, el }) {
     paint();
   };
   model.on("change:state", changed);
-  model.on("change:answer", paint);
+  model.on("change:answer", answered);
   model.on("change:projector", paint);
   model.on("change:view", paint);
-  const watcher = new ResizeObserver(() => paint());
+  const resized = () => {
+    const room = Math.max(Math.floor(picture.clientWidth), NARROWEST);
+    if (room === width) return;
+    width = room;
+    paint();
+  };
+  const watcher = new ResizeObserver(resized);
   watcher.observe(picture);
   paint();
   return () => {
     watcher.disconnect();
     pause();
     model.off("change:state", changed);
-    model.off("change:answer", paint);
+    model.off("change:answer", answered);
     model.off("change:projector", paint);
     model.off("change:view", paint);
   };
@@ -750,13 +771,11 @@ export function standIn(values) {
     get: (name) => values[name],
     set(name, to) {
       values[name] = to;
-      if (name === "state") values.answer = answerTo(to);
-      for (const told of [`change:${name}`, ...(name === "state" ? ["change:answer"] : [])])
-        for (const listener of listeners[told] ?? []) listener();
+      for (const listener of listeners[`change:${name}`] ?? []) listener();
     },
     on: (event, listener) => (listeners[event] ??= []).push(listener),
     off() {},
-    save_changes() {},
+    save_changes: () => requestAnimationFrame(() => model.set("answer", answerTo(values.state))), // the picture first
   };
   values.answer = answerTo(values.state);
   return model;
