@@ -3,16 +3,16 @@
 from collections import Counter
 from dataclasses import replace
 
-from sympy import Add, Mul, oo
+from sympy import Add, Mul
 
 from .certificate import Through
 from .engine import decided
 from .errors import InvalidStatement, OutOfTime
 from .exact.refuter import Counterexample
 from .judgement import HOLDS, NOT_SETTLED
-from .ranges import Integers, ends
+from .ranges import ends
+from .regions import has_values
 from .statement import Statement
-from .terms.linear import coefficients, least
 from .verdict import ARGUED, INVALID, PROVED, REFUTED, UNDECIDED, Proof, Verdict, verdict_of
 
 
@@ -64,24 +64,10 @@ def _claim(left, right, found):
     """
     wanted, kept = left.free_symbols | right.free_symbols, set()
     for place, (symbol, values) in reversed(list(enumerate(found.items()))):
-        if symbol in wanted or not _has_values(values, list(found.items())[:place]):
+        if symbol in wanted or not has_values(values, dict(list(found.items())[:place])):
             kept.add(symbol)
             wanted |= set().union(*(end.free_symbols for end in ends(values)))
     return Statement(left, "=", right, {symbol: values for symbol, values in found.items() if symbol in kept})
-
-
-def _has_values(values, before):
-    """Whether a range is known to hold a value, whatever the symbols before it are."""
-    low, high = ends(values)
-    if low is -oo or high is oo or (low.is_number and high.is_number):
-        return True
-    if not isinstance(values, Integers) or not all(c.is_Integer for c in (coefficients(low) or {low: oo}).values()):
-        return False
-    conditions = []
-    for symbol, other in before:
-        if isinstance(other, Integers):
-            conditions += [symbol - other.low] * (other.low is not -oo) + [other.high - symbol] * (other.high is not oo)
-    return least(high - low, conditions) >= 0
 
 
 def form(expr):

@@ -12,6 +12,7 @@ from .errors import InvalidStatement, OutOfTime, Unsupported
 from .exact.refuter import counterexample
 from .fixed import by_cases
 from .inequalities.signs import by_signs
+from .regions import check_ranges
 from .statement import statement
 from .verdict import INVALID, REFUTED, UNDECIDED, Proof, verdict_of
 
@@ -49,6 +50,7 @@ def decided(claim, clock):
         return Proof(REFUTED, "refuter", note=str(found), counterexample=found.counterexample)
     if found.undefined is not None:
         raise InvalidStatement(f"neither side has a value at {found.undefined.point()}: {found.undefined.lhs}")
+    check_ranges(claim.ranges)
     for prover in PROVERS:
         try:
             proof = prover(claim, clock if prover is PROVERS[-1] else clock.part(PROVERS_SHARE))

@@ -15,7 +15,7 @@ from bezteach.widgets.board.marks import STYLES, Mark
 from bezteach.widgets.board.state import DEEPEST, HIGHEST
 
 WIDTHS = (1200, 760, 400)  # of the window: readout beside the picture, under it, second frame under the first
-STATES = 24  # at each width
+STATES = 20  # at each width
 PAINT = f"""([state, view, marks]) => {{
   board.set("view", view);
   board.set("state", state);

@@ -1,5 +1,6 @@
 """check_derivation: the proofs that the sources print, what is said of a slip in them, and of what is no derivation."""
 
+from dataclasses import replace
 from fractions import Fraction as F
 from time import perf_counter
 
@@ -12,6 +13,7 @@ from sympy import (
     Integer,
     Integral,
     Interval,
+    KroneckerDelta,
     Matrix,
     Mul,
     Pow,
@@ -26,6 +28,7 @@ from sympy import (
 
 from bezteach.proof import ARGUED, CHECKED, INVALID, PROVED, REFUTED, UNDECIDED, chains, counterexample, statement
 from bezteach.proof.derivations import Judgement, check_derivation
+from bezteach.proof.errors import ReplayFailed
 from bezteach.proof.exact.refuter import Counterexample
 from bezteach.proof.verdict import Proof
 from bezteach.symbolic import B, E, b, i, j, k, n, r, step, t, u
@@ -374,6 +377,18 @@ def test_a_range_that_may_be_empty_counts_in_lines_without_its_symbol():
         n: 2,
         i: 1,
     }
+
+
+def test_between_two_ends_that_are_no_whole_numbers_there_need_be_none():
+    """No z is there for q = 0, so that nothing is said of it: neither of n, m, s = 30, 0, 0, where the ends differ."""
+    m, q, s, z = (Symbol(name, integer=True) for name in "mqsz")
+    given = {n: (0, oo), m: (n - 30, oo), q: (m, oo), s: (30 - n, q), z: (0, q - Rational(1, 2))}
+    found = check_derivation([s, s + binomial(z, q), s + KroneckerDelta(q, 0)], given=given)
+    assert found.ends.status == PROVED
+    assert z in found.ends.statement.ranges
+    without = {symbol: values for symbol, values in found.ends.statement.ranges.items() if symbol != z}
+    with pytest.raises(ReplayFailed, match="for some values z, which is in a part of the proof only, has none"):
+        replace(found.ends, statement=found.ends.statement._replace(ranges=without)).replay()
 
 
 def test_what_a_symbol_is_all_lines_say_together():

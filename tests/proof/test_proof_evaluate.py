@@ -166,10 +166,17 @@ def test_derivatives_are_taken_of_polynomials_and_then_the_value_is_put_in():
     assert evaluate(Derivative(t**2 * u**3, t, (u, 2)), {t: 5, u: 7}) == 2 * 5 * 6 * 7
     assert evaluate(Derivative(t * Derivative(t**3, t), t), {t: 2}) == 36
     assert evaluate(Subs(Derivative(B(i, n, t), t), t, 1), {i: 2, n: 2}) == 2
-    assert evaluate(Subs(t + u, (t, u), (u, t)), {t: 1, u: 2}) == 3
+    assert evaluate(Subs(Subs(t - u, t, 1 - t), u, 3), {t: 5}) == -7
     assert written(Derivative(step(t) ** n * b[0], t), n=1, t=0) == b[1] - b[0]
     with pytest.raises(Undefined):
         evaluate(Derivative(t**3, (t, m)), {t: 1, m: -1})
+
+
+@pytest.mark.parametrize("expr", [Subs(Subs(t, t, 0), t, 1), Subs(Subs(t * u, t, u), u, 3), Subs(t, (t, u), (u, t))])
+def test_values_whose_order_matters_are_not_put_in(expr):
+    """SymPy makes one Subs of two, the inner one first, and that is not to put in all values at once."""
+    with pytest.raises(InvalidStatement, match="it matters which value is put in first"):
+        evaluate(expr, {t: 1, u: 2})
 
 
 def test_integrals_between_any_limits():

@@ -24,7 +24,9 @@ from sympy import (
     binomial,
     expand,
     factorial,
+    floor,
     oo,
+    sqrt,
 )
 
 from bezteach.proof import (
@@ -136,6 +138,22 @@ def test_empty_ranges_are_invalid_where_it_shows():
     assert prove(B(i, n, t), 7, given={n: (0, 3), i: (n + 1, n)}).note == "the ranges of the integers allow no value"
     assert prove(t, t, given={t: Interval.open(1, 1)}).status == INVALID
     assert prove(b[i] + b[n], 0, given={i: (n - 1, 0)}).note.startswith("at n = 0 the range of i goes beyond")
+
+
+def test_a_range_that_has_no_end_only_far_away_is_invalid():
+    """The refuter does not go as far as n = 20."""
+    assert prove(t + i, i + t, given={i: (0, 1 / (n - 20))}).note.startswith("the range of i may have no end: n - 20")
+    assert prove(t + i, i + t, given={n: (21, oo), i: (0, n / (n - 20))}).status == PROVED
+    assert prove(t + i, i + t, given={i: (0, floor(n / 2)), t: Interval(0, sqrt(n))}).status == PROVED
+
+
+def test_a_range_that_goes_beyond_what_is_assumed_only_far_away_is_invalid():
+    """At m = 21 the range of n, which is no negative number, begins at -1; SymPy makes 0 of delta(n, -1) at once."""
+    m = Symbol("m", integer=True)
+    sides = Sum(KroneckerDelta(n, k), (k, -1, -1)) + m, m
+    assert prove(*sides, given={n: (20 - m, oo)}).note == "the range of n may go beyond what is assumed of it"
+    assert prove(*sides, given={m: (0, 20), n: (20 - m, oo)}).status == PROVED
+    assert prove(t + m, m + t, given={m: (0, 20), t: Interval(m / 2 - 10, 20 - m)}).status == PROVED
 
 
 @settings(max_examples=120, deadline=None, derandomize=True)

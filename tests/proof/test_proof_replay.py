@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pytest
 from proof_claims import CLAIMS, given, mutants
-from sympy import Expr, Ge, Integer, Interval, Le, Lt, Rational, S, Sum, binomial, oo
+from sympy import Expr, Ge, Integer, Interval, KroneckerDelta, Le, Lt, Mul, Rational, S, Sum, binomial, oo
 from test_proof_signs import CLAIMS as INEQUALITIES
 from test_proof_signs import claim, given_ranges
 
@@ -22,6 +22,7 @@ from bezteach.proof.certificate import (
     Lemma,
     Part,
     TermsCase,
+    Through,
 )
 from bezteach.proof.errors import ReplayFailed
 from bezteach.proof.fixed import by_cases
@@ -101,6 +102,17 @@ def test_what_follows_from_two_lines_replays():
         caught(verdict, verdict.certificate._replace(verdicts=(one, one)))
         false = replace(other, statement=other.statement._replace(rhs=other.statement.rhs + 1))
         caught(verdict, verdict.certificate._replace(verdicts=(one, false)))
+
+
+def test_two_lines_that_hold_for_other_values_do_not_meet():
+    """A line is 0 for i > 0, and the product for i = 0: that does not make 0 of the product, which is 15! at n = 15."""
+    product = Mul(*[n - place for place in range(15)])
+    between = KroneckerDelta(i, 0) * product
+    one, other = prove(0 * n, between, given={i: (1, oo)}), prove(between, product, given={i: (0, 0)})
+    assert one.status == other.status == "PROVED"
+    false = statement(0 * n, product)
+    with pytest.raises(ReplayFailed, match="i ranges over .* in a part of the proof"):
+        replay_proof(false, Proof("PROVED", "through line 2", certificate=Through((one, other))))
 
 
 def test_a_literal_certificate():

@@ -40,7 +40,7 @@ from bezteach.proof import (
 from bezteach.proof.inequalities.sign_of import Region, signs
 from bezteach.proof.inequalities.sign_sets import ANY
 from bezteach.proof.inequalities.signs import by_signs
-from bezteach.symbolic import B, i, j, k, n, t, u
+from bezteach.symbolic import B, i, j, k, n, r, t, u
 
 UNIT, OPEN, LINE = Interval(0, 1), Interval.open(0, 1), Interval(-oo, oo)
 HALF, QUARTER = Rational(1, 2), Rational(1, 4)
@@ -226,6 +226,27 @@ def test_no_false_mutant_is_proved(name):
             judged = counterexample(mutant, Budget(1))
             assert judged.counterexample is None and judged.undefined is None, mutant
     assert len(sample) >= 2
+
+
+def test_an_integral_whose_limit_is_undefined_far_away_has_no_sign_there():
+    """1/(n - 20) is no limit for n = 20, where neither side has a value; the refuter does not go that far."""
+    far = Integral(x, (x, 0, 1 / (n - 20)))
+    assert by_signs(claim(Ge, far + t, far, {t: UNIT}), Budget(5)) is None
+    assert by_signs(claim(Ge, far * B(n + 1, n, t), 0, {t: UNIT}), Budget(5)) is None
+
+
+def test_what_may_have_any_sign_is_shown_beside_a_factor_that_is_0():
+    """The limits of the integral are not numbers: nothing is said of its sign, and nothing need be."""
+    proof = by_signs(claim(Ge, B(n + 1, n, t) * Integral(x, (x, 0, n)), 0, {t: UNIT}), Budget(5))
+    assert proof.status == "PROVED"
+    assert "it may have any sign" in [step.reason for step in proof.steps]
+
+
+def test_sums_over_other_ranges_are_not_the_same_at_the_peak():
+    """The limits (k, 0, j) and (r, 0, j) cannot be subtracted: the sides are not alike, and that is all."""
+    one, other = Sum(j, (k, 0, j)), Sum(j, (r, 0, j))
+    assert by_signs(claim(Le, B(i, n, t) * one, B(i, n, i / n) * other, FROM_1 | WITHIN), Budget(5)) is None
+    assert by_signs(claim(Le, B(i, n, t) * one, B(i, n, i / n) * one, FROM_1 | WITHIN), Budget(5)).method == "peak"
 
 
 def test_an_equation_is_left_to_others():

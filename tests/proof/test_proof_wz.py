@@ -208,7 +208,7 @@ def test_other_statements_do_not_replay_with_it():
     ("amount", "ratio"), [(k, 1), (k**3 - k, 1), (1, 2), (k, k + 1), (1 / (k * (k + 1)), 1), (1 / (k * (k + 2)), 1)]
 )
 def test_gosper_s_sums(amount, ratio):
-    found = antidifference(amount + 0 * k, ratio + 0 * k, k)
+    found = antidifference(amount + 0 * k, ratio + 0 * k, k, Budget(5))
     difference = found.subs(k, k + 1) * ratio - found - amount
     assert difference.simplify() == 0
 
@@ -216,7 +216,7 @@ def test_gosper_s_sums(amount, ratio):
 def test_gosper_s_algorithm_finds_nothing_where_there_is_nothing():
     for amount in (1 / k, 1 / k**2, 1 / (k**2 + 1)):
         with pytest.raises(Failure):
-            antidifference(amount, Integer(1), k)
+            antidifference(amount, Integer(1), k, Budget(5))
 
 
 def test_a_divisor_is_absorbed_where_it_fits_and_stays_where_not():

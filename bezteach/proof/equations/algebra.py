@@ -4,15 +4,16 @@ What is left is a rational function, and 0 or not. Where a binomial coefficient 
 have another form: these finitely many edges, such as i = 0, i = n or n = 0, are proved apart in the same way.
 """
 
-from sympy import Add, Dummy, Indexed, Mul, Pow, S, Subs, Sum, cancel, expand, oo
+from sympy import Add, Dummy, Indexed, Mul, Pow, S, Subs, Sum, expand, oo
 
 from bezteach.symbolic import B, Step
 
 from ..certificate import ByTerms, Group, Part, TermsCase
-from ..ranges import Integers
+from ..regions import region_of
 from ..terms.defined import check_defined, with_fresh_indices
-from ..terms.linear import coefficients, least
+from ..terms.linear import coefficients, is_whole_form, least
 from ..terms.normal import POINT, Edge, normal
+from ..terms.size import cancelled
 from ..terms.terms import Failure, Term, alike, common_part, times, written
 from ..verdict import PROVED, Proof
 
@@ -54,16 +55,6 @@ def by_algebra(statement, budget):
 def prepared(statement):
     """Both sides as this prover takes them: no index of a sum is one outside, or of another sum."""
     return tuple(_with_ends_apart(with_fresh_indices(side)) for side in (statement.lhs, statement.rhs))
-
-
-def region_of(ranges):
-    """The integer symbols, and the forms that are >= 0 in these ranges."""
-    whole = frozenset(s for s, values in ranges.items() if isinstance(values, Integers))
-    conditions = []
-    for symbol in whole:
-        low, high = ranges[symbol]
-        conditions += [symbol - low] * (low != -oo) + [high - symbol] * (high != oo)
-    return whole, conditions
 
 
 def steps_of(sides, cases):
@@ -116,7 +107,7 @@ def _proved(sides, whole, conditions, part, depth, budget):
     groups = []
     for group in alike(terms):
         shared, rests = common_part(group)
-        if cancel(Add(*rests)) != 0:
+        if cancelled(Add(*rests)) != 0:
             raise Failure("what is left is not 0")
         groups.append(Group(shared, tuple(rests)))
     yield TermsCase(part, tuple(groups))
@@ -131,8 +122,8 @@ def difference_terms(sides, whole, conditions):
 
 def _beyond(form, sides, whole, conditions, part, depth, budget):
     """The cases form = -1, -2, ..., each with one integer symbol less; all at once if there is no end to them."""
-    low, found = least(form, conditions), coefficients(form)
-    if found is None or not all(c.is_Integer for c in found.values()):
+    low = least(form, conditions)
+    if not is_whole_form(form):
         raise Failure(f"{form} is not known to be a whole number")  # it may lie between -1 and 0
     if depth == 0 or -oo < low < -WIDEST:
         raise Failure(f"too many cases where {form} is negative")

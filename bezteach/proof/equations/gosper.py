@@ -5,23 +5,29 @@ This is a search: what it finds is proved elsewhere. It looks at linear factors 
 
 from sympy import Dummy, Mul, Poly, S, cancel, expand, fraction, linsolve
 
-from ..terms.terms import Failure
+from ..terms.failure import Failure
+from ..terms.size import cancelled
 
 HIGHEST = 8
 
 
-def antidifference(amount, ratio, k):
+def antidifference(amount, ratio, k, budget):
     """The g with g(k + 1) f(k + 1) - g(k) f(k) = amount(k) f(k), where f(k + 1) = ratio(k) f(k); ``Failure`` if none.
 
+    >>> from bezteach.proof.budget import Budget
     >>> from sympy.abc import k
-    >>> antidifference(k, 1, k), antidifference(k, k + 1, k)
+    >>> antidifference(k, 1, k, Budget(5)), antidifference(k, k + 1, k, Budget(5))
     (k*(k - 1)/2, 1)
     """
-    above, below = fraction(cancel(amount))
-    ratio = cancel(ratio * below / below.subs(k, k + 1))
+    budget.spend()
+    above, below = fraction(cancelled(amount))
+    ratio = cancelled(ratio * below / below.subs(k, k + 1))
+    budget.spend()
     a, b, c = _normal_form(*fraction(ratio), k)
+    budget.spend()
     x = _polynomial_solution(a, b.subs(k, k - 1), above * c, k)
-    return cancel(b.subs(k, k - 1) * x / (c * below)).factor()
+    budget.spend()
+    return cancelled(b.subs(k, k - 1) * x / (c * below)).factor()
 
 
 def _normal_form(p, q, k):

@@ -8,12 +8,13 @@ from sympy import Sum, expand
 
 from ..certificate import ByInduction, Lemma
 from ..ranges import Integers, ends
+from ..regions import region_of
 from ..statement import Statement
 from ..terms.defined import check_defined, with_fresh_indices
 from ..terms.differences import difference
 from ..terms.terms import Failure
 from ..verdict import PROVED, Proof
-from .algebra import by_algebra, region_of
+from .algebra import by_algebra
 
 
 def by_induction(statement, budget):

@@ -12,11 +12,11 @@ from sympy import Add, Eq, Expr, Function, Mul, S, Sum, Symbol, binomial, expand
 from bezteach.symbolic import Step
 
 from ..ranges import Integers, ends
+from ..regions import region_of
 from ..statement import Statement
 from ..terms.defined import check_defined
-from ..terms.linear import coefficients, least
+from ..terms.linear import is_whole_form, least
 from ..terms.terms import Failure
-from .algebra import region_of
 
 
 class Summed(NamedTuple):
@@ -120,8 +120,7 @@ def check_sides(statement):
 def _check_limits(claim, n, shift, conditions):
     length = claim.high - claim.low
     for limit in (claim.low, claim.high):
-        row = coefficients(limit)
-        if row is None or not all(c.is_Integer for c in row.values()):
+        if not is_whole_form(limit):
             raise Failure(f"the limit {limit} is no linear form of integers")
     if any(least(form, conditions) < 0 for form in (length, length.subs(shift))):
         raise Failure("the sum may be empty")

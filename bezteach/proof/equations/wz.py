@@ -6,15 +6,17 @@ that R may be 0. The search looks at the inner points only, and proves nothing: 
 that must be proved for all points, and ``algebra`` proves them.
 """
 
-from sympy import Add, PolynomialError, cancel, expand, fraction
+from sympy import Add, PolynomialError, expand, fraction
 
 from ..certificate import ByTelescoping, Lemma
 from ..ranges import Integers
+from ..regions import region_of
 from ..terms.normal import Edge, normal
+from ..terms.size import cancelled
 from ..terms.terms import Failure, common_part
 from ..verdict import PROVED, Proof
 from .absorbing import absorbed
-from .algebra import by_algebra, region_of
+from .algebra import by_algebra
 from .gosper import antidifference
 from .induction import by_induction
 from .telescoping import check_sides, lemmas_of, ranges_without, steps_of, summed
@@ -49,7 +51,7 @@ def by_wz(statement, budget):
 def _along(n, statement, claim, budget):
     """The proof by induction on n."""
     ranges_without(statement.ranges, n)
-    p, q, telescope = _found(n, claim, statement.ranges)
+    p, q, telescope = _found(n, claim, statement.ranges, budget)
     lemmas = lemmas_of(statement, claim, n, p, q, telescope)
     proofs = []
     for place, (found, _) in enumerate(lemmas):
@@ -63,20 +65,20 @@ def _along(n, statement, claim, budget):
     return Proof(PROVED, "WZ certificate", steps, f"on {n}, from {statement.ranges[n].low}", certificate=certificate)
 
 
-def _found(n, claim, ranges):
+def _found(n, claim, ranges, budget):
     """p, q and G, from what the terms are at points that are far from every edge."""
     whole, conditions = region_of(ranges)
     whole, conditions = whole | {claim.k}, [*conditions, claim.k - claim.low - 2, claim.high - claim.k - 2]
-    now, after = _beside_each_other([claim.result, claim.result.subs(n, n + 1)], whole, conditions)
-    q, p = fraction(cancel(after / now))
+    now, after = _beside_each_other([claim.result, claim.result.subs(n, n + 1)], whole, conditions, budget)
+    q, p = fraction(cancelled(after / now))
     term = claim.term
     parts = [term, term.subs(n, n + 1), term.subs(claim.k, claim.k + 1)]
-    now, after, beside = _beside_each_other(parts, whole, conditions)
-    multiple = antidifference(p * after / now - q, cancel(beside / now), claim.k)
+    now, after, beside = _beside_each_other(parts, whole, conditions, budget)
+    multiple = antidifference(p * after / now - q, cancelled(beside / now), claim.k, budget)
     return p.factor(), q.factor(), absorbed(multiple, term, claim.k)
 
 
-def _beside_each_other(expressions, whole, conditions):
+def _beside_each_other(expressions, whole, conditions, budget):
     """Rational functions that are to each other as these expressions."""
     for _ in range(MOST_CONDITIONS):
         try:
@@ -89,7 +91,8 @@ def _beside_each_other(expressions, whole, conditions):
     _, rests = common_part([term for each in terms for term in each])
     rests, results = iter(rests), []
     for each in terms:
-        results.append(cancel(Add(*[next(rests) for _ in each])))
+        budget.spend()
+        results.append(cancelled(Add(*[next(rests) for _ in each])))
     if 0 in results:
         raise Failure("a side is 0")
     return results

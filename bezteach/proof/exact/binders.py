@@ -20,51 +20,45 @@ LONGEST_SUM = 5_000
 HIGHEST_DERIVATIVE = 200
 
 
-def _loop(combine, start):
-    """Sum and Product; the last limit is the outermost."""
+def _nested(expr, scope, within):
+    """The function of what has limits, the last the outermost: ``within`` makes that of one limit from the body."""
 
-    def build(expr, scope):
-        def nest(limits, scope):
-            if not limits:
-                return closure(expr.function, scope)
-            *inner, limit = limits
-            index, low, high = _limits(expr, limit)
-            low, high = closure(low, scope), closure(high, scope)
-            place, scope = scope.bind(index)
-            body = nest(inner, scope)
-
-            def total(frame):
-                first, last = exact.whole(low(frame), "a limit"), exact.whole(high(frame), "a limit")
-                if last - first >= LONGEST_SUM:
-                    raise Unsupported(f"a sum or product over {last - first + 1} terms")
-                value = start
-                for frame[place] in range(first, last + 1):
-                    frame[0].spend()
-                    value = exact.small(combine(value, body(frame)))
-                return value
-
-            return total
-
-        return nest(expr.limits, scope)
-
-    return build
-
-
-def _limits(expr, limit):
-    if len(limit) != 3:
-        raise InvalidStatement(f"{expr} has no limits for {limit[0]}")
-    return limit
-
-
-def _integral(expr, scope):
     def nest(limits, scope):
         if not limits:
             return closure(expr.function, scope)
         *inner, limit = limits
-        symbol, low, high = _limits(expr, limit)
+        if len(limit) != 3:
+            raise InvalidStatement(f"{expr} has no limits for {limit[0]}")
+        symbol, low, high = limit
         low, high = closure(low, scope), closure(high, scope)
         place, scope = scope.bind(symbol)
-        body, letter = nest(inner, scope), atom(VARIABLE, symbol.name, place)
+        return within(nest(inner, scope), symbol, place, low, high)
+
+    return nest(expr.limits, scope)
+
+
+def _loop(combine, start):
+    """Sum and Product."""
+
+    def within(body, index, place, low, high):
+        def total(frame):
+            first, last = exact.whole(low(frame), "a limit"), exact.whole(high(frame), "a limit")
+            if last - first >= LONGEST_SUM:
+                raise Unsupported(f"a sum or product over {last - first + 1} terms")
+            value = start
+            for frame[place] in range(first, last + 1):
+                frame[0].spend()
+                value = exact.small(combine(value, body(frame)))
+            return value
+
+        return total
+
+    return lambda expr, scope: _nested(expr, scope, within)
+
+
+def _integral(expr, scope):
+    def within(body, symbol, place, low, high):
+        letter = atom(VARIABLE, symbol.name, place)
 
         def total(frame):
             frame[0].spend()
@@ -74,7 +68,7 @@ def _integral(expr, scope):
 
         return total
 
-    return nest(expr.limits, scope)
+    return _nested(expr, scope, within)
 
 
 def _derivative(expr, scope):
@@ -108,7 +102,8 @@ def _derivative(expr, scope):
 
 
 def _at(expr, scope):
-    """``Subs``: an expression with values in the place of some of its symbols."""
+    """``Subs``: an expression with values in the place of some of its symbols, all at once."""
+    _check_order(expr)
     points = [closure(point, scope) for point in expr.point]
     places = []
     for symbol in expr.variables:
@@ -122,6 +117,14 @@ def _at(expr, scope):
         return body(frame)
 
     return value
+
+
+def _check_order(expr):
+    """SymPy makes one Subs of two, the inner one first: ``InvalidStatement`` where that is not the same as at once."""
+    for place, point in enumerate(expr.point):
+        later = expr.variables[place + 1 :]
+        if expr.variables[place] in later or not point.free_symbols.isdisjoint(later):
+            raise InvalidStatement(f"in {expr} it matters which value is put in first")
 
 
 BUILDERS |= {

@@ -3,18 +3,19 @@
 Beside the edges, where the terms have another form, an expression is one product of what its terms share.
 """
 
-from sympy import Add, Eq, Ge, Gt, Integral, Le, Lt, Mul, Ne, Pow, S, Sum, binomial, cancel, expand, factor, factorial
+from sympy import Add, Eq, Ge, Gt, Integral, Le, Lt, Mul, Ne, Pow, S, Sum, binomial, expand, factor, factorial
 
 from bezteach.symbolic import B, Step
 
 from ..certificate import BySigns, Part, SignsCase
-from ..terms.linear import coefficients, least
+from ..terms.linear import coefficients, is_whole_form, least
 from ..terms.normal import Edge, normal
+from ..terms.size import cancelled, factored
 from ..terms.terms import Failure, common_part, written
 from .inequality import difference_of, is_whole
 from .polynomial_signs import is_rational
 from .sign_of import of_power, signs, unbound
-from .sign_sets import POSITIVE, ZERO, product, total
+from .sign_sets import ANY, POSITIVE, ZERO, product, total
 
 DEEPEST, WIDEST = 6, 6  # edges of edges, cases on one edge
 
@@ -26,7 +27,7 @@ def by_factors(claim):
         found = signs(difference + 1, claim.region)
         if found <= POSITIVE:  # a whole number that is greater than -1
             return BySigns(1, (SignsCase(Part(), None, ((difference + 1, found),)),))
-    return BySigns(0, tuple(signed(difference, claim.region, claim.wanted, DEEPEST, claim.budget)))
+    return BySigns(0, signed(difference, claim.region, claim.wanted, claim.budget))
 
 
 def factors_shown(claim, certificate):
@@ -38,8 +39,12 @@ def factors_shown(claim, certificate):
         yield Step(Ge(difference, 0, evaluate=False), "a whole number that is greater than -1")
 
 
-def signed(expr, region, wanted, depth, budget, part=Part()):  # noqa: B008  a part is never changed
+def signed(expr, region, wanted, budget):
     """The cases to the sign of an expression; beside the edges, as one product of what its terms share."""
+    return tuple(_cases(expr, region, wanted, DEEPEST, budget, Part()))
+
+
+def _cases(expr, region, wanted, depth, budget, part):
     budget.spend()
     if least(S.Zero, region.conditions) != 0:
         return
@@ -51,10 +56,10 @@ def signed(expr, region, wanted, depth, budget, part=Part()):  # noqa: B008  a p
         terms = normal(expr, region.whole, list(region.conditions))
     except Edge as edge:
         yield from _beyond(edge.form, expr, region, wanted, depth, budget, part)
-        yield from signed(expr, region.where(edge.form), wanted, depth - 1, budget, part.also(edge.form))
+        yield from _cases(expr, region.where(edge.form), wanted, depth - 1, budget, part.also(edge.form))
         return
     shared, rests = common_part(terms)
-    rest = factor(cancel(Add(*rests)))
+    rest = factored(cancelled(Add(*rests)))
     factors = [(rest, signs(rest, region))]
     factors += [(Pow(*power), of_power(*power, region)) for power in shared.powers.items()]
     if not product(*(found for _, found in factors)) <= wanted:
@@ -99,13 +104,13 @@ def _beyond(form, expr, region, wanted, depth, budget, part):
     """The cases form = -1, -2, ..., each with one integer symbol less."""
     low, found = least(form, region.conditions), coefficients(form)
     symbol = max((s for s in region.whole if abs(found.get(s, 0)) == 1), key=str, default=None)
-    if depth == 0 or low < -WIDEST or symbol is None or not all(c.is_Integer for c in found.values()):
+    if depth == 0 or low < -WIDEST or symbol is None or not is_whole_form(form):
         raise Failure(f"too many cases where {form} is negative")
     for value in range(1, int(-low) + 1):
         at = expand(symbol - found[symbol] * (form + value))
         case, inside = in_part_of(expr, region, Part(((symbol, at),)))
         if least(S.Zero, inside.conditions) == 0:
-            yield from signed(case, inside, wanted, depth - 1, budget, part.with_value(symbol, at))
+            yield from _cases(case, inside, wanted, depth - 1, budget, part.with_value(symbol, at))
 
 
 def one_term(expr, region):
@@ -124,12 +129,12 @@ def _reasons(expr, region):
             for part in parts:
                 yield from _reasons(part, region)
             return
-    factored = factor(expr) if is_rational(expr) and expr.is_Add else expr
-    if factored != expr and not factored.is_Add and signs(factored, region) == found:
-        yield Step(Eq(expr, factored, evaluate=False), "factored")
-        yield from _reasons(factored, region)
+    in_factors = factor(expr) if is_rational(expr) and expr.is_Add else expr
+    if in_factors != expr and not in_factors.is_Add and signs(in_factors, region) == found:
+        yield Step(Eq(expr, in_factors, evaluate=False), "factored")
+        yield from _reasons(in_factors, region)
         return
-    yield Step(against_zero(expr, found), why(expr, region))
+    yield Step(against_zero(expr, found), "it may have any sign" if found == ANY else why(expr, region))
 
 
 def _each(parts, region):

@@ -1,13 +1,14 @@
 """Inequalities by induction on n: a step multiplies one side by a known factor, and the other is held against it."""
 
-from sympy import PolynomialError, cancel, expand, factor
+from sympy import PolynomialError, expand, factor
 
 from bezteach.symbolic import Step
 
 from ..certificate import ByGrowth
 from ..terms.normal import Edge
+from ..terms.size import cancelled, factored
 from ..terms.terms import Failure, common_part
-from .factors import DEEPEST, cases_shown, one_term, signed
+from .factors import cases_shown, one_term, signed
 from .polynomial_signs import is_rational
 from .sign_of import signs
 from .sign_sets import NOT_NEGATIVE, POSITIVE
@@ -26,7 +27,7 @@ def by_induction(claim):
 
 def _induction(claim, n, larger):
     now, after = _one_step(claim, n, larger)
-    ratio = factor(cancel(after / now))
+    ratio = factored(cancelled(after / now))
     check_ratio(claim, n, larger, ratio)
     (first, base), gap = first_of(claim, n), gap_of(claim, n, larger, ratio)
     return ByGrowth(
@@ -34,8 +35,8 @@ def _induction(claim, n, larger):
         start_of(claim, n),
         larger,
         ratio,
-        tuple(signed(first, base, claim.wanted, DEEPEST, claim.budget)),
-        tuple(signed(gap, claim.region, NOT_NEGATIVE, DEEPEST, claim.budget)),
+        signed(first, base, claim.wanted, claim.budget),
+        signed(gap, claim.region, NOT_NEGATIVE, claim.budget),
     )
 
 
@@ -60,7 +61,7 @@ def check_ratio(claim, n, larger, ratio):
     now, after = _one_step(claim, n, larger)
     if signs(now, claim.region) != POSITIVE or not signs(ratio, claim.region) <= claim.wanted:
         raise Failure("the factor of a step may be negative")
-    if cancel(ratio * now - after) != 0:
+    if cancelled(ratio * now - after) != 0:
         raise Failure(f"{ratio} is not the factor of a step")
 
 

@@ -31,7 +31,7 @@ from bezteach.symbolic import B
 from ..budget import Budget
 from ..ranges import Integers, ends
 from ..terms.defined import check_defined
-from ..terms.linear import coefficients, least
+from ..terms.linear import is_whole_form, least
 from ..terms.terms import Failure
 from .sign_of import Region
 from .sign_sets import NOT_NEGATIVE, POSITIVE
@@ -114,8 +114,7 @@ def _check_known(expr, whole, reals):
         for index, *limits in expr.limits[::-1]:
             forms, whole = (*forms, *limits), whole | {index}
     for form in forms:
-        found = coefficients(form)
-        if found is None or not form.free_symbols <= whole or not all(c.is_Integer for c in found.values()):
+        if not is_whole_form(form) or not form.free_symbols <= whole:
             raise Failure(f"{form} in {expr} is no linear form of integers")
     if isinstance(expr, Integral | Derivative):
         reals = reals | {

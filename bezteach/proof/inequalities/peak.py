@@ -1,10 +1,27 @@
 """The greatest value of a product of powers, such as B(i, n, t), as a function of one real symbol."""
 
-from sympy import Add, Derivative, Ge, Integer, Interval, Le, Mul, Poly, Pow, S, cancel, expand, fraction, together
+from sympy import (
+    Add,
+    Derivative,
+    Expr,
+    Ge,
+    Integer,
+    Interval,
+    Le,
+    Mul,
+    Poly,
+    Pow,
+    S,
+    cancel,
+    expand,
+    fraction,
+    together,
+)
 
 from bezteach.symbolic import Step
 
 from ..certificate import ByPeak
+from ..terms.size import check_size
 from ..terms.terms import Failure
 from .factors import one_term
 from .polynomial_signs import is_rational
@@ -103,6 +120,7 @@ def _powers_of(t, expr, inside):
     numerator, denominator = fraction(together(term.coefficient))
     if denominator.has(t):
         raise Failure(f"{t} divides")
+    check_size(numerator)
     content, factors = Poly(numerator, *sorted(numerator.free_symbols | {t}, key=str), domain="QQ").factor_list()
     powers = [(part.as_expr(), Integer(power)) for part, power in factors] + list(term.powers.items())
     front, found = product(signs(content, inside), signs(denominator, inside)), {}
@@ -120,7 +138,9 @@ def _powers_of(t, expr, inside):
 
 def _same(one, other):
     """Whether two expressions agree part by part, as rational functions."""
-    if one == other or (is_rational(one - other) and cancel(one - other) == 0):
+    if one == other:
         return True
+    if isinstance(one, Expr) and isinstance(other, Expr) and is_rational(one - other):
+        return cancel(one - other) == 0
     alike = one.func == other.func and len(one.args) == len(other.args) > 0
     return alike and all(_same(*pair) for pair in zip(one.args, other.args, strict=True))

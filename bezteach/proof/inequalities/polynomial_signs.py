@@ -12,12 +12,9 @@ from sympy import (
     Add,
     Dummy,
     Matrix,
-    Mul,
     Poly,
-    Pow,
     Rational,
     S,
-    Symbol,
     expand,
     fraction,
     oo,
@@ -25,6 +22,7 @@ from sympy import (
 )
 
 from ..terms.linear import coefficients
+from ..terms.size import degree
 from .sign_sets import ANY, NOT_NEGATIVE, POSITIVE, ZERO, product, total
 
 HIGHEST, MOST_SYMBOLS_TIMES_DEGREE, MOST_REALS = 40, 24, 2
@@ -32,21 +30,8 @@ HIGHEST, MOST_SYMBOLS_TIMES_DEGREE, MOST_REALS = 40, 24, 2
 
 def is_rational(expr):
     """Whether it is a rational function of its symbols, small enough to be taken apart."""
-    degree, count = _degree(expr), len(expr.free_symbols)
-    return degree is not None and (degree <= HIGHEST if count < 2 else degree * count <= MOST_SYMBOLS_TIMES_DEGREE)
-
-
-def _degree(expr):
-    if isinstance(expr, Symbol | Rational):
-        return int(expr.is_Symbol)
-    if isinstance(expr, Pow):
-        base, exponent = expr.as_base_exp()
-        degree = _degree(base) if exponent.is_Integer else None
-        return None if degree is None else degree * abs(int(exponent))
-    if not isinstance(expr, Add | Mul):
-        return None
-    degrees = [_degree(part) for part in expr.args]
-    return None if None in degrees else sum(degrees) if expr.is_Mul else max(degrees)
+    highest, count = degree(expr), len(expr.free_symbols)
+    return highest is not None and (highest <= HIGHEST if count < 2 else highest * count <= MOST_SYMBOLS_TIMES_DEGREE)
 
 
 def of_rational(expr, region):

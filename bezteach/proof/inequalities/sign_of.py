@@ -9,7 +9,7 @@ from sympy import Add, Dummy, Integral, Interval, Mul, Pow, S, Sum, binomial, fa
 
 from bezteach.symbolic import B
 
-from ..terms.linear import coefficients, least
+from ..terms.linear import coefficients, is_whole_form, least
 from .polynomial_signs import is_rational, of_form, of_rational
 from .sign_sets import ANY, POSITIVE, ZERO, product, total
 
@@ -48,7 +48,7 @@ def signs(expr, region):
 def of_power(base, exponent, region):
     """With 0**0 = 1, and 0 to a negative power undefined."""
     form, below = coefficients(exponent), signs(base, region)
-    if form is None or not all(c.is_Integer for c in form.values()) or not exponent.free_symbols <= region.whole:
+    if not is_whole_form(exponent) or not exponent.free_symbols <= region.whole:
         return ANY
     above = of_form(exponent, region)
     if 0 in below and -1 in above:

@@ -3,7 +3,7 @@
 from sympy import S, expand
 
 from ..errors import ReplayFailed
-from ..terms.linear import coefficients, least
+from ..terms.linear import is_whole_form, least
 
 
 def check_covered(conditions, parts):
@@ -29,8 +29,7 @@ def forms_of(part):
     for symbol, at in part.values:
         forms += [expand(symbol - at), expand(at - symbol)]
     for form in forms:
-        row = coefficients(form)
-        if row is None or not all(c.is_Integer for c in row.values()):
+        if not is_whole_form(form):
             raise ReplayFailed(f"the case {form} >= 0 is no linear form of integers")
     return forms
 

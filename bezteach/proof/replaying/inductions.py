@@ -1,9 +1,9 @@
 """Replay of an induction: the first case and the step are made again from the statement, and their proofs replayed."""
 
-from ..equations.algebra import region_of
 from ..equations.induction import first_and_step
 from ..errors import ReplayFailed
 from ..ranges import Integers
+from ..regions import region_of
 from ..terms.defined import check_defined
 from ..terms.terms import Failure
 from .grid import Grid

@@ -6,8 +6,9 @@ recorded shared part, and the rest is compared with the recorded one, and with 0
 
 from sympy import Add, Indexed, Mul, S, expand
 
-from ..equations.algebra import difference_terms, in_part, prepared, region_of, steps_of
+from ..equations.algebra import difference_terms, in_part, prepared, steps_of
 from ..errors import ReplayFailed
+from ..regions import region_of
 from ..terms.linear import least
 from ..terms.normal import POINT, Edge
 from ..terms.terms import Failure, written

@@ -1,11 +1,7 @@
 """Replay of an equation that follows from two others which have a line in common."""
 
-from sympy import oo
-
-from ..equations.algebra import region_of
 from ..errors import ReplayFailed
-from ..ranges import Integers, ends
-from ..terms.linear import least
+from ..regions import has_values
 from .alike import alike
 
 
@@ -18,8 +14,9 @@ def replay_through(statement, certificate, replay_proof):
         or not _linked(statement, *claims)
     ):
         raise ReplayFailed(f"{statement} does not follow from {' and '.join(map(str, claims))}")
+    known = statement.ranges
     for verdict in certificate.verdicts:
-        _check_ranges(statement.ranges, verdict.statement.ranges)
+        known = _with_ranges(known, verdict.statement.ranges)
         replay_proof(verdict.statement, verdict)
     return ()
 
@@ -34,21 +31,14 @@ def _linked(statement, one, other):
     return False
 
 
-def _check_ranges(wanted, found):
-    """Each point of the wanted ranges must be one of the found ones, whatever more symbols those have."""
-    known = {symbol: values for symbol, values in wanted.items()}
+def _with_ranges(known, found):
+    """The known ranges, and those found beside them, so that each point of the known ones is part of one of them all:
+    a symbol of both ranges over the same, and any other has a value wherever the known ones have.
+    """
+    known = dict(known)
     for symbol, values in found.items():
-        if symbol in wanted:
-            if wanted[symbol] != values:
-                raise ReplayFailed(f"{symbol} ranges over {values} in a part of the proof")
-        elif not _has_values(values, known):
+        if symbol not in known and not has_values(values, known):
             raise ReplayFailed(f"for some values {symbol}, which is in a part of the proof only, has none")
-        known[symbol] = values
-
-
-def _has_values(values, known):
-    """Whether a range holds a value, whatever the symbols before it are."""
-    low, high = ends(values)
-    if low == -oo or high == oo or (low.is_number and high.is_number):
-        return True
-    return isinstance(values, Integers) and least(high - low, region_of(known)[1]) >= 0
+        if known.setdefault(symbol, values) != values:
+            raise ReplayFailed(f"{symbol} ranges over {values} in a part of the proof, and not everywhere")
+    return known

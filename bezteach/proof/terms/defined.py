@@ -5,25 +5,37 @@ factor, is good only where everything beside it has a value.
 """
 
 from sympy import (
+    Abs,
+    Add,
     Derivative,
     Dummy,
     Indexed,
     Integral,
     Interval,
     KroneckerDelta,
+    Max,
+    Min,
+    Mul,
     Pow,
+    Rational,
     Subs,
     Sum,
+    Symbol,
     binomial,
+    ceiling,
     factorial,
+    floor,
     oo,
 )
 
 from bezteach.symbolic import B, E
 
 from ..inequalities.sign_of import Region, signs
-from .linear import coefficients, least
+from .linear import is_whole_form, least
 from .terms import Failure
+
+# These have a value where all their parts have one.
+_OF_ITS_PARTS = Rational | Symbol | Add | Mul | Integral | Abs | Max | Min | floor | ceiling
 
 
 def check_defined(expr, conditions, ranges=None):
@@ -37,7 +49,7 @@ def check_defined(expr, conditions, ranges=None):
     >>> check_defined(t ** (i - 1), [i])
     Traceback (most recent call last):
     ...
-    bezteach.proof.terms.terms.Failure: t**(i - 1) has a negative exponent somewhere
+    bezteach.proof.terms.failure.Failure: t**(i - 1) has a negative exponent somewhere
     """
     _check(with_fresh_indices(expr), list(conditions), _reals(ranges or {}))
 
@@ -100,27 +112,35 @@ def _check(expr, conditions, reals):
     elif isinstance(expr, Subs):
         for point in expr.point:
             _check(point, conditions, reals)
+    elif not isinstance(expr, _OF_ITS_PARTS):
+        raise Failure(f"it is not known where {expr} has a value")
     bodies, bound = _bodies(expr)
     reals = {symbol: values for symbol, values in reals.items() if symbol not in bound}
+    conditions = [condition for condition in conditions if condition.free_symbols.isdisjoint(bound)]
     for part in bodies:
         _check(part, conditions, reals)
 
 
 def _bodies(expr):
-    """The parts that must have a value, without variables, limits and points; and the real symbols bound in them."""
+    """The parts that must have a value, without variables and points; and the symbols bound in them."""
     if isinstance(expr, Derivative):
         return (expr.expr,), {symbol for symbol, _ in expr.variable_count}
     if isinstance(expr, Subs):
-        return (expr.expr,), set(expr.variables)
-    if isinstance(expr, Integral):
-        return (expr.function,), set(expr.variables)
+        return (_with_a_letter_for_operator(expr.expr, expr.variables),), set(expr.variables)
+    if isinstance(expr, Integral):  # an inner limit may hold an outer variable
+        parts = (expr.function, *(end for _, *ends in expr.limits for end in ends))
+        return [_with_a_letter_for_operator(part, expr.variables) for part in parts], set(expr.variables)
     return expr.args, set()
+
+
+def _with_a_letter_for_operator(part, variables):
+    """Where a value is put in for the operator it is no operator, and may be 0."""
+    return part.xreplace({E: Dummy("E")}) if E in variables else part
 
 
 def _check_whole(expr, *forms):
     for form in forms:
-        found = coefficients(form)
-        if found is None or not all(c.is_Integer for c in found.values()):
+        if not is_whole_form(form):
             raise Failure(f"{form} in {expr} is not known to be a whole number")
 
 

@@ -4,19 +4,33 @@ from math import ceil
 
 from sympy import Dummy, Rational, S, expand, oo
 
+from bezteach.symbolic import E
+
 _VALUE = Dummy("value")
 
 
 def coefficients(form):
-    """{symbol: coefficient, 1: constant} of a linear form with rational coefficients; None for anything else.
+    """{symbol: coefficient, 1: constant} of a linear form with rational coefficients; None for anything else, such as
+    one with the operator E, which is no number.
 
     >>> from bezteach.symbolic import i, n
     >>> coefficients(n - i + 1) == {n: 1, i: -1, S.One: 1}, coefficients(n * i)
     (True, None)
     """
     found = {S.One: S.Zero} | dict(expand(form).as_coefficients_dict())
-    linear = all(part == 1 or part.is_Symbol for part in found)
+    linear = all(part == 1 or (part.is_Symbol and part != E) for part in found)
     return found if linear and all(isinstance(c, Rational) for c in found.values()) else None
+
+
+def is_whole_form(form):
+    """Whether it is a linear form with integer coefficients: a whole number where all of its symbols are.
+
+    >>> from bezteach.symbolic import i, n
+    >>> is_whole_form(n - 2 * i), is_whole_form(n / 2), is_whole_form(n**2)
+    (True, False, False)
+    """
+    found = coefficients(form)
+    return found is not None and all(c.is_Integer for c in found.values())
 
 
 def least(form, conditions):

@@ -34,6 +34,8 @@ def normal(expr, whole, conditions):
 
 
 def _total(expr, whole, conditions):
+    if len(expr.args) > MOST_TERMS:
+        raise Failure("a sum with too many terms")
     terms = []
     for part in expr.args:
         with one_of(len(expr.args)):
@@ -124,10 +126,12 @@ def _at_point(expr, whole, conditions):
 
 
 def _integral(expr, whole, conditions):
-    ((variable, *limits),) = expr.limits
-    if limits != [0, 1]:
+    if any(limits != [0, 1] for _, *limits in expr.limits):
         raise Failure(f"the limits of {expr} are not 0 and 1")
-    return integral(_in_reals(expr.function, [variable], whole, conditions), variable, conditions)
+    terms = _in_reals(expr.function, expr.variables, whole, conditions)
+    for variable in expr.variables:
+        terms = integral(terms, variable, conditions)
+    return terms
 
 
 def _sum(expr, whole, conditions):

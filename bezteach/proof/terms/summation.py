@@ -5,12 +5,13 @@ that sums to (x + y)^(m-s) / (m-s)!. A polynomial in k in front is first written
 factorial of k - s absorbs. Where the sum begins after s or stops before m by a few terms, these are taken off again.
 """
 
-from sympy import Mul, Poly, PolynomialError, S, cancel, expand, fraction
+from sympy import Mul, Poly, PolynomialError, S, expand, fraction
 
 from bezteach.symbolic import E
 
 from .edges import need, never
 from .linear import least
+from .size import cancelled
 from .terms import Failure, Term, factorial_of, power_of, times
 
 FEW = 12  # summands up to which a sum of a fixed length is written out
@@ -28,7 +29,7 @@ def closed_term(term, k, low, high, conditions):
         return _telescoped(term, k, low, high, conditions)
     lower, above = _single(rising)
     upper, below = _single(falling)
-    coefficient, lower, upper = _absorbed(cancel(term.coefficient * above * below), lower, upper, k)
+    coefficient, lower, upper = _absorbed(cancelled(term.coefficient * above * below), lower, upper, k)
     numerator, denominator = fraction(coefficient)
     start, end = expand(k - lower), expand(k + upper)
     results = []
@@ -70,7 +71,7 @@ def _absorbed(coefficient, lower, upper, k):
                 break
         else:
             raise Failure(f"{divisor} divides what is summed")
-        coefficient = cancel(coefficient * (form + 1))
+        coefficient = cancelled(coefficient * (form + 1))
         lower, upper = (lower + 1, upper) if form is lower else (lower, upper + 1)
     raise Failure(f"{divisor} divides what is summed")
 
@@ -161,7 +162,7 @@ def _telescoped(term, k, low, high, conditions):
     ratio = Mul(*[base ** _slope(base, exponent, k) for base, exponent in term.powers.items()])
     if ratio == 1 and not term.coefficient.has(k):
         return [times(term, Term(expand(high - low + 1)))]
-    quotient = cancel(term.coefficient / (ratio - 1)) if ratio.has(E) else term.coefficient
+    quotient = cancelled(term.coefficient / (ratio - 1)) if ratio.has(E) else term.coefficient
     if not ratio.has(E) or quotient.has(k) or fraction(quotient)[1].has(E):
         raise Failure("no factorial bounds the sum, and it does not telescope")
     rest = Term(quotient, term.factorials)

@@ -7,13 +7,11 @@ none of them. It stands for its value where every form under a factorial is >= 0
 from collections import defaultdict
 from typing import NamedTuple
 
-from sympy import Add, Expr, Integer, Mul, Pow, S, cancel, expand, factorial
+from sympy import Add, Expr, Integer, Mul, Pow, S, expand, factorial
 
+from .failure import Failure
 from .linear import coefficients
-
-
-class Failure(Exception):
-    """The statement is beyond this method; it says nothing of its truth."""
+from .size import cancelled
 
 
 class Term(NamedTuple):
@@ -105,8 +103,9 @@ def common_part(terms):
         gaps = [expand(exponent - exponents[0]) for exponent in exponents]
         if not all(gap.is_Integer for gap in gaps):
             raise Failure(f"the exponents of {base} differ by more than a number")
-        shared_powers[base] = expand(exponents[0] + min(gaps))
-        rests = [rest * base ** (gap - min(gaps)) for rest, gap in zip(rests, gaps, strict=True)]
+        smallest = min(gaps)
+        shared_powers[base] = expand(exponents[0] + smallest)
+        rests = [rest * base ** (gap - smallest) for rest, gap in zip(rests, gaps, strict=True)]
     return Term(S.One, shared_factorials, shared_powers), rests
 
 
@@ -141,7 +140,7 @@ def joined(terms):
             continue
         shared, rests = common_part(group)
         highest, factor = _highest(shared.factorials, group)
-        total = cancel(Add(*rests) * factor)
+        total = cancelled(Add(*rests) * factor)
         if total != 0:
             results.append(times(Term(total), shared._replace(factorials=highest)))
     return results
@@ -153,7 +152,7 @@ def alike(terms):
     for term in terms:
         for group in groups:
             try:
-                common_part([*group, term])
+                common_part([group[0], term])
             except Failure:
                 continue
             group.append(term)

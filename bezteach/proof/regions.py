@@ -1,0 +1,62 @@
+"""What ranges say for all values together: linear forms that are >= 0, and whether a range is one everywhere."""
+
+from sympy import ilcm, oo
+
+from .errors import InvalidStatement
+from .ranges import Integers, assumed, ends
+from .terms.defined import check_defined
+from .terms.failure import Failure
+from .terms.linear import coefficients, is_whole_form, least
+from .terms.size import degree
+
+
+def region_of(ranges):
+    """The integer symbols, and the forms that are >= 0 in these ranges."""
+    whole = frozenset(s for s, values in ranges.items() if isinstance(values, Integers))
+    conditions = []
+    for symbol in whole:
+        low, high = ranges[symbol]
+        conditions += [symbol - low] * (low != -oo) + [high - symbol] * (high != oo)
+    return whole, conditions
+
+
+def check_ranges(found):
+    """``InvalidStatement`` if an end of a range may have no value, or may go beyond what is assumed of the symbol.
+
+    The refuter meets only what is near, and SymPy goes by what is assumed. Only ends that are rational functions are
+    looked at, and only linear forms are held against what is assumed.
+    """
+    conditions = region_of(found)[1]
+    for symbol, values in found.items():
+        low, high = ends(values)
+        lowest, highest = assumed(symbol, isinstance(values, Integers))
+        for end, gap in ((low, low - lowest), (high, highest - high)):
+            _check_end(symbol, end, conditions)
+            row = coefficients(gap)
+            if row is not None and least(gap * ilcm(1, *(c.q for c in row.values())), conditions) < 0:
+                raise InvalidStatement(f"the range of {symbol} may go beyond what is assumed of it")
+
+
+def _check_end(symbol, end, conditions):
+    try:
+        if degree(end) is not None:
+            check_defined(end, conditions)
+    except Failure as error:
+        raise InvalidStatement(f"the range of {symbol} may have no end: {error}") from None
+
+
+def has_values(values, known):
+    """Whether a range is known to hold a value wherever the symbols of the known ranges have theirs.
+
+    >>> from sympy import S
+    >>> from bezteach.symbolic import n
+    >>> known = {n: Integers(S.Zero, oo)}
+    >>> has_values(Integers(S.Zero, n), known), has_values(Integers(S.One, n), known)
+    (True, False)
+    """
+    low, high = ends(values)
+    if low is -oo or high is oo or (low.is_number and high.is_number):
+        return True
+    if not isinstance(values, Integers) or not (is_whole_form(low) and is_whole_form(high)):
+        return False  # between 0 and n - 1/2 there is no whole number for n = 0, and n > 0 needs a proof
+    return least(high - low, region_of(known)[1]) >= 0
