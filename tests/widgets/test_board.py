@@ -91,6 +91,12 @@ def test_a_state_survives_the_way_to_the_browser_and_back(points, t):
     assert from_json(to_json(state)) == state
 
 
+@pytest.mark.parametrize("x", [10**9, -(10**9), 0])
+def test_the_line_beside_points_above_each_other_is_no_farther_away_than_they_may_be(x):
+    (p, q) = state_of([(x, 0), (x, 2)]).line
+    assert p == (x, 1) and q[1] == 1 and abs(q[0] - x) == 1 and abs(q[0]) <= 10**9
+
+
 def test_what_no_browser_of_ours_sends_is_refused():
     sent = to_json(state_of(CUBIC))
     for wrong in (5, {}, sent | {"more": 1}, sent | {"t": "7/3"}, sent | {"points": [["0", "0"]]}):

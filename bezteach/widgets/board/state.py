@@ -183,7 +183,8 @@ def _across(points):
     """Two points at half the height of all, to the left and to the right of them."""
     (x0, x1), (y0, y1) = ((min(axis), max(axis)) for axis in zip(*points, strict=True))
     half = (y0 + y1) / 2
-    return ((x0, half), (x1 if x1 > x0 else x0 + 1, half))
+    aside = x0 - 1 if x0 > 0 else x0 + 1  # not farther away than a coordinate may be
+    return ((x0, half), (x1 if x1 > x0 else aside, half))
 
 
 _READERS = {
