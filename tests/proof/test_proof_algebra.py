@@ -1,5 +1,8 @@
 """Equations of the course are proved for every n, and no mutant of them that is false ever is."""
 
+import os
+import subprocess
+import sys
 from contextlib import suppress
 from time import perf_counter
 
@@ -171,6 +174,25 @@ def test_steps_are_shown_as_a_reader_would_write_them():
         "it is 0 for all values",
     ]
     assert prove(step(t) ** n * b[0], CURVE).status == "PROVED"
+
+
+def test_the_steps_are_the_same_whatever_order_python_gives_its_sets():
+    program = """if True:
+        from bezteach.proof import prove
+        from bezteach.symbolic import B, t
+        print(*prove(B(1, 2, t), 2 * t * (1 - t)).steps, sep=" ")"""
+    said = {
+        subprocess.run(
+            [sys.executable, "-c", program],
+            env=os.environ | {"PYTHONHASHSEED": seed},
+            capture_output=True,
+            text=True,
+            check=True,
+        ).stdout
+        for seed in "0123"
+    }
+    (steps,) = said
+    assert "= -2*t*(1 - t) + 2*t*(1 - t)    (each term written out)" in steps
 
 
 VANISHES_TO_14 = Mul(*[n - place for place in range(15)])  # what is false beside it, the refuter does not see

@@ -70,8 +70,10 @@ def steps_of(sides, cases):
         yield Step(left - right, "the difference of both sides")
         for shared, rests in groups:
             left_over = Add(*[rest.xreplace(first_point) for rest in rests], evaluate=False)
-            line = Mul(written(shared), left_over, evaluate=False)
-            yield Step(line, "what the terms share, times what is left of each")
+            if (in_front := written(shared)) == 1:
+                yield Step(left_over, "each term written out")
+            else:
+                yield Step(Mul(in_front, left_over, evaluate=False), "what the terms share, times what is left of each")
         yield Step(S.Zero, "it is 0 for all values")
 
 

@@ -88,33 +88,33 @@ def common_part(terms):
 
     Factors (form + k) from quotients of factorials are >= 1 where the terms are valid, so nothing is divided by 0.
     """
-    shared_factorials, shared_powers, rests = {}, {}, [term.coefficient for term in terms]
+    shared_factorials, shared_powers, left = {}, {}, [[term.coefficient] for term in terms]
     for family in _families(terms):
         lowest = min(family, key=lambda form: form.as_coeff_Add()[0])
         totals = {sum(term.factorials.get(form, 0) for form in family) for term in terms}
         if len(totals) > 1:
             raise Failure("the terms hold different numbers of factorials")
         shared_factorials[lowest] = totals.pop()
-        for position, term in enumerate(terms):
-            for form in family:
-                rests[position] *= _rising(lowest, form) ** term.factorials.get(form, 0)
-    for base in {base for term in terms for base in term.powers}:
+        for factors, term in zip(left, terms, strict=True):
+            factors += [_rising(lowest, form) ** term.factorials.get(form, 0) for form in family]
+    for base in dict.fromkeys(base for term in terms for base in term.powers):
         exponents = [term.powers.get(base, S.Zero) for term in terms]
         gaps = [expand(exponent - exponents[0]) for exponent in exponents]
         if not all(gap.is_Integer for gap in gaps):
             raise Failure(f"the exponents of {base} differ by more than a number")
         smallest = min(gaps)
         shared_powers[base] = expand(exponents[0] + smallest)
-        rests = [rest * base ** (gap - smallest) for rest, gap in zip(rests, gaps, strict=True)]
-    return Term(S.One, shared_factorials, shared_powers), rests
+        for factors, gap in zip(left, gaps, strict=True):
+            factors.append(base ** (gap - smallest))
+    return Term(S.One, shared_factorials, shared_powers), [Mul(*factors) for factors in left]
 
 
 def _families(terms):
     """The forms under factorials, grouped by what they are without their constants."""
-    families = defaultdict(set)
+    families = defaultdict(dict)  # in their order, which a set would not keep
     for term in terms:
         for form in term.factorials:
-            families[form - form.as_coeff_Add()[0]].add(form)
+            families[form - form.as_coeff_Add()[0]][form] = None
     return families.values()
 
 
