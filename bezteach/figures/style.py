@@ -1,10 +1,11 @@
 """What all pictures have in common, and how one is shown."""
 
-from html import escape
 from io import BytesIO, StringIO
 
 import matplotlib as mpl
 from PIL import Image
+
+from bezteach.display import image
 
 STYLE = {
     "font.size": 14,
@@ -31,6 +32,5 @@ def show(figure):
         figure.savefig(pixels, format="png", dpi=96)
         figure.savefig(svg, format="svg", metadata={"Date": None, "Creator": None})
     Image.open(pixels).convert("RGB").quantize(COLOURS).save(png, "PNG", optimize=True)
-    picture = svg.getvalue().replace("<svg ", f'<svg role="img" aria-label="{escape(alt)}" ', 1)
-    bundle = {"text/plain": alt, "image/png": png.getvalue(), "image/svg+xml": picture}
+    bundle = {"text/plain": alt, "image/png": png.getvalue(), "text/html": image(svg.getvalue(), alt)}
     display(bundle, raw=True, metadata={"image/png": {"alt": alt}})

@@ -66,12 +66,15 @@ def widget_state(notebook):
 
 
 def pictures_nbval_cannot_see(notebook):
-    return [list(one) for one in data(notebook) if "image/png" in one and not one.get("image/svg+xml")]
+    return [list(one) for one in data(notebook) if "image/png" in one and "<img" not in one.get("text/html", "")]
 
 
 def pictures_without_words(notebook):
     shown = [one for one in outputs(notebook) if "image/png" in one.get("data", {})]
-    return [one.metadata for one in shown if not one.metadata.get("image/png", {}).get("alt", "").strip()]
+    silent = [one.metadata for one in shown if not one.metadata.get("image/png", {}).get("alt", "").strip()]
+    silent += [one for one in data(notebook) if "image/svg+xml" in one]  # which no viewer gives words
+    tags = [tag for one in data(notebook) for tag in re.findall("<img[^>]*>", one.get("text/html", ""))]
+    return silent + [tag for tag in tags if not re.search(r' alt="\s*[^"\s]', tag)]
 
 
 def memory_addresses(notebook):
@@ -184,11 +187,12 @@ def cell(source="x", outputs=(), count=1, **metadata):
 
 
 def shown(metadata=None, **kinds):
-    names = {"png": "image/png", "svg": "image/svg+xml", "plain": "text/plain", "view": VIEW}
+    names = {"png": "image/png", "svg": "image/svg+xml", "html": "text/html", "plain": "text/plain", "view": VIEW}
     data = {names[kind]: value for kind, value in kinds.items()}
     return cell(outputs=[new_output("display_data", data=data, metadata=metadata or {})])
 
 
+IMAGE = '<img alt="a cubic" src="data:image/svg+xml,%3Csvg/%3E">'
 BROKEN = [
     (never_run, cell(count=None)),
     (errors_and_warnings, cell(outputs=[new_output("error", ename="E", evalue="", traceback=[])])),
@@ -200,8 +204,12 @@ BROKEN = [
     (widget_state, new_notebook(metadata={"widgets": {"application/vnd.jupyter.widget-state+json": {}}})),
     (widget_state, shown(view={"model_id": "0f3a"}, plain="a board")),
     (pictures_nbval_cannot_see, shown(png="iVBO", plain="<Figure>")),
-    (pictures_without_words, shown(png="iVBO", svg="<svg/>")),
-    (pictures_without_words, shown(png="iVBO", svg="<svg/>", metadata={"image/png": {"alt": " "}})),
+    (pictures_nbval_cannot_see, shown(png="iVBO", html="<p>a cubic</p>")),
+    (pictures_without_words, shown(png="iVBO", html=IMAGE)),
+    (pictures_without_words, shown(png="iVBO", html=IMAGE, metadata={"image/png": {"alt": " "}})),
+    (pictures_without_words, shown(svg="<svg/>", plain="a cubic")),
+    (pictures_without_words, shown(html='<img alt="" src="data:,">')),
+    (pictures_without_words, shown(html=f'{IMAGE}<img src="data:,">')),
     (memory_addresses, shown(plain="[<matplotlib.lines.Line2D at 0x7f0a>]")),
     (memory_addresses, cell(outputs=[new_output("stream", text="<function f at 0x7f0a>\n")])),
     (default_widget_reprs, shown(view={}, plain="IntSlider(value=1, max=9)")),
@@ -225,8 +233,8 @@ BROKEN = [
 ]
 SOUND = [
     (default_widget_reprs, shown(view={}, plain="the cubic split at t = 1/3, points (0, 0), (1, 3)")),
-    (pictures_without_words, shown(png="iVBO", svg="<svg/>", metadata={"image/png": {"alt": "a cubic"}})),
-    (pictures_nbval_cannot_see, shown(svg="<svg/>", plain="a board")),
+    (pictures_without_words, shown(png="iVBO", html=IMAGE, metadata={"image/png": {"alt": "a cubic"}})),
+    (pictures_nbval_cannot_see, shown(html=IMAGE, plain="a board")),
     (excused_by_tag, cell(tags=["answer", "hide-input"])),
     (excused_by_comment, cell("print('# NBVAL_SKIP')")),
     (never_run, cell("", count=None)),
@@ -271,7 +279,7 @@ def first(cells, kind, *, but=()):
     """The place of the first cell, but some, with an output of the kind; text beside a picture is no text."""
     for place, one in enumerate(cells):
         kinds = {key for output in one.get("outputs", []) for key in output.get("data", ["stream"])}
-        if kind in kinds - ({"text/plain"} if "image/svg+xml" in kinds else set()) and place not in but:
+        if kind in kinds - ({"text/plain"} if "text/html" in kinds else set()) and place not in but:
             return place
     raise AssertionError(f"no cell with {kind} left to corrupt")
 
@@ -279,12 +287,12 @@ def first(cells, kind, *, but=()):
 def corrupted(notebook):
     """A copy with three lies, ending after the last, and the places of the three among the cells."""
     lying = deepcopy(notebook)
-    picture = first(lying.cells, "image/svg+xml")
+    picture = first(lying.cells, "image/png")
     text = first(lying.cells, "text/plain", but=[picture])
     stripped = first(lying.cells, "stream", but=[picture, text])
-    drawn = representation(lying.cells[picture], "image/svg+xml")
+    drawn = representation(lying.cells[picture], "text/html")
     said = representation(lying.cells[text], "text/plain")
-    drawn["image/svg+xml"] = with_another_digit(drawn["image/svg+xml"])
+    drawn["text/html"] = with_another_digit(drawn["text/html"])
     said["text/plain"] += "0"
     lying.cells[stripped].update(outputs=[], execution_count=None)
     lying.cells = lying.cells[: max(picture, text, stripped) + 1]
@@ -295,10 +303,10 @@ def representation(cell, kind):
     return next(output.data for output in cell.outputs if kind in output.get("data", {}))
 
 
-def with_another_digit(svg):
+def with_another_digit(image):
     """The picture with the first point of its first line moved, by one character."""
-    spot = re.search(r'\s(?:d="M|points=")\s*-?(\d)', svg).start(1)
-    return svg[:spot] + str((int(svg[spot]) + 1) % 10) + svg[spot + 1 :]
+    spot = re.search(r" d=%22M -?(\d)", image).start(1)
+    return image[:spot] + str((int(image[spot]) + 1) % 10) + image[spot + 1 :]
 
 
 def test_a_corrupted_lesson_fails(tmp_path, afresh, nested_run):

@@ -2,6 +2,7 @@
 
 import re
 from fractions import Fraction as F
+from urllib.parse import unquote
 from xml.etree import ElementTree
 
 import numpy as np
@@ -139,7 +140,10 @@ def test_a_stored_notebook_shows_words_and_picture():
     board = Board(CUBIC, show=("polygon", "curve", "halves"))
     data, _ = board._repr_mimebundle_()
     assert data["text/plain"] == board.text == repr(board)
-    tree = ElementTree.fromstring(data["image/svg+xml"])
+    stored = ElementTree.fromstring(data["text/html"].replace('">', '"/>'))
+    assert stored.tag == "img" and stored.attrib["alt"] == board.text
+    assert unquote(stored.attrib["src"]) == f"data:image/svg+xml,{board.svg}"
+    tree = ElementTree.fromstring(board.svg)
     assert tree.attrib["aria-label"] == board.text and tree.attrib["role"] == "img"
     assert "application/vnd.jupyter.widget-view+json" in data
 

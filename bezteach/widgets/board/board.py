@@ -7,6 +7,7 @@ from pathlib import Path
 import anywidget
 import traitlets
 
+from ...display import image
 from . import scene, svg, words
 from .blocks import html, text
 from .marks import STYLES
@@ -163,7 +164,7 @@ class Board(anywidget.AnyWidget):
     def _repr_mimebundle_(self, **kwargs):
         live = super()._repr_mimebundle_(**kwargs)
         data, metadata = live if isinstance(live, tuple) else (live, {})
-        return (data or {}) | {"text/plain": self.text, "image/svg+xml": self.svg}, metadata
+        return (data or {}) | {"text/plain": self.text, "text/html": image(self.svg, self.text)}, metadata
 
 
 def _step(points):

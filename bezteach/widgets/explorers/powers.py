@@ -3,12 +3,12 @@
 import ipywidgets as widgets
 
 from ... import numeric
-from ...display import number
+from ...display import image, number
 from ..board import Board, svg
 from ..board.blocks import Block
 from ..board.marks import STYLES, Mark
+from ..panel import Panel
 from .quartic import AXIS
-from .sliders import beside
 
 
 def explore_powers(heights=(0, 1, 0, 1)):
@@ -22,14 +22,14 @@ def explore_powers(heights=(0, 1, 0, 1)):
         **KEPT,
         view=_view(heights),
         marks=lambda state: [AXIS],
-        blocks=lambda state: powers_blocks(state.points),
+        blocks=lambda state: [_coefficients("of B₀, B₁, ...", state.points)],
     )
     powers = Board(
         power_points(board.points),
         **KEPT | {"show": ()},
         view=_view(heights, [y for _, y in power_points(board.points)]),
         letter="a",
-        blocks=lambda state: [],
+        blocks=lambda state: [_coefficients("of 1, t, t², ...", state.points)],
         marks=lambda state: [AXIS, Mark("curve", board.points, STYLES["curve"]), *_stems(state.points)],
     )
 
@@ -50,8 +50,12 @@ def explore_powers(heights=(0, 1, 0, 1)):
         widgets.VBox([widgets.HTML(f"<b>{title}</b>"), some], layout=widgets.Layout(flex="1 1 24em", min_width="0"))
         for title, some in (("Bernstein coefficients", board), ("power coefficients", powers))
     ]
-    panel = beside(board, {}, [widgets.HBox(titled, layout=widgets.Layout(flex_flow="row wrap"))])
-    panel.powers = powers
+    panel = Panel(
+        [widgets.HBox(titled, layout=widgets.Layout(flex_flow="row wrap"))],
+        text=lambda: f"{board.text}; {powers.text}",
+        static=lambda: {"text/html": image(board.svg, board.text) + image(powers.svg, powers.text)},
+    )
+    panel.board, panel.powers = board, powers
     return panel
 
 
@@ -74,13 +78,8 @@ def bernstein_points(points):
     return graph(numeric.from_power([y for _, y in points]))
 
 
-def powers_blocks(points):
-    """What is said: the coefficients in both bases."""
-    heights = [y for _, y in points]
-    return [
-        Block("of B₀, B₁, ...", (tuple(map(number, heights)),)),
-        Block("of 1, t, t², ...", (tuple(map(number, numeric.to_power(heights))),)),
-    ]
+def _coefficients(name, points):
+    return Block(f"Coefficients {name}", (tuple(number(y) for _, y in points),))
 
 
 def _stems(points):

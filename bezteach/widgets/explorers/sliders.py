@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import ipywidgets as widgets
 
-from ...display import number
+from ...display import image, number
 from ..panel import Panel
 
 STEPS = 24  # sliders stop at multiples of 1/24, so at halves, thirds, quarters, sixths and eighths
@@ -34,22 +34,23 @@ def explorer(controls, view):
 
     ``controls`` maps the names of the values to widgets; they are ``.controls`` of the panel.
     """
-    image, readout = widgets.HTML(), widgets.HTML()
+    drawing, readout = widgets.HTML(), widgets.HTML()
 
     def current():
         return view(**{name: control.value for name, control in controls.items()})
 
     def redraw(_=None):
         shown = current()
-        image.value, readout.value = shown["svg"], f'<div style="padding:0 1em; line-height:1.5">{shown["html"]}</div>'
+        drawing.value = shown["svg"]
+        readout.value = f'<div style="padding:0 1em; line-height:1.5">{shown["html"]}</div>'
 
     for control in controls.values():
         control.observe(redraw, "value")
     redraw()
     panel = Panel(
-        [row(controls), widgets.HBox([image, readout], layout=widgets.Layout(flex_flow="row wrap"))],
+        [row(controls), widgets.HBox([drawing, readout], layout=widgets.Layout(flex_flow="row wrap"))],
         text=lambda: current()["text"],
-        static=lambda: {"image/svg+xml": current()["svg"]},
+        static=lambda: {"text/html": image(current()["svg"], current()["text"])},
     )
     panel.controls = controls
     return panel
@@ -60,12 +61,12 @@ def row(controls):
     return widgets.HBox(list(controls.values()), layout=widgets.Layout(flex_flow="row wrap"))
 
 
-def beside(board, controls, boards=()):
+def beside(board, controls):
     """A panel with controls over a board; its words and picture are the board's."""
     panel = Panel(
-        [row(controls), *(boards or [board])],
+        [row(controls), board],
         text=lambda: board.text,
-        static=lambda: {"image/svg+xml": board.svg},
+        static=lambda: {"text/html": image(board.svg, board.text)},
     )
     panel.board, panel.controls = board, controls
     return panel
