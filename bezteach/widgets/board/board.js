@@ -304,36 +304,58 @@ function drawn(m, frame, styles, size) {
     const reach = along.map((c) => (2 * frame.diagonal * c) / Math.hypot(...along));
     pixels = [subtract(pixels[0], reach), [pixels[0][0] + reach[0], pixels[0][1] + reach[1]]];
   }
-  const look = (fill, dashed = true) =>
-    `fill="${fill === "none" ? fill : `var(--bt-${fill})`}" fill-opacity="${style.opacity}" stroke="var(--bt-${style.colour})" ` +
-    `stroke-width="${style.width * size}"${dashed && style.dash ? ` stroke-dasharray="${style.dash}"` : ""}`;
-  const path = () => pixels.map((p) => p.map(rounded).join()).join(" ");
-  const dot = ([x, y], r, fill, dashed) =>
-    `<circle cx="${rounded(x)}" cy="${rounded(y)}" r="${rounded(r)}" ${look(fill, dashed)}/>`;
+  const look = (fill, dashed = true) => ({
+    fill: fill === "none" ? fill : `var(--bt-${fill})`,
+    "fill-opacity": style.opacity,
+    stroke: `var(--bt-${style.colour})`,
+    "stroke-width": style.width * size,
+    ...(dashed && style.dash ? { "stroke-dasharray": style.dash } : {}),
+  });
+  const path = (tag, fill) => [tag, { points: pixels.map((p) => p.map(rounded).join()).join(" "), ...look(fill), "stroke-linejoin": "round" }]; // prettier-ignore
+  const dot = ([x, y], r, fill, dashed) => ["circle", { cx: rounded(x), cy: rounded(y), r: rounded(r), ...look(fill, dashed) }];
   const r = style.radius * size;
+  const square = ([x, y]) => ["rect", { x: rounded(x - r), y: rounded(y - r), width: 2 * r, height: 2 * r, ...look(style.fill, false) }];
   switch (m.kind) {
     case "area":
-      return `<polygon points="${path()}" ${look(style.fill)} stroke-linejoin="round"/>`;
+      return [path("polygon", style.fill)];
     case "circle":
-      return dot(pixels[0], Math.hypot(...subtract(pixels[1], pixels[0])), "none", true);
+      return [dot(pixels[0], Math.hypot(...subtract(pixels[1], pixels[0])), "none", true)];
     case "dots":
-      return pixels.map((p) => dot(p, r, style.fill, false)).join("");
+      return pixels.map((p) => dot(p, r, style.fill, false));
     case "squares":
-      return pixels
-        .map(([x, y]) => `<rect x="${rounded(x - r)}" y="${rounded(y - r)}" width="${2 * r}" height="${2 * r}" ${look(style.fill, false)}/>`)
-        .join("");
+      return pixels.map(square);
     case "names":
-    case "below":
-      return (m.kind === "below" ? pixels.map(([x, y]) => [x, y + BELOW * size]) : beside(pixels, size))
-        .map(([x, y], i) => word(x, y, m.words[i], size))
-        .join("");
+    case "below": {
+      const places = m.kind === "below" ? pixels.map(([x, y]) => [x, y + BELOW * size]) : beside(pixels, size);
+      return places.map((at, i) => word(at, m.words[i], size));
+    }
     default:
-      return `<polyline points="${path()}" ${look("none")} stroke-linejoin="round"/>`;
+      return [path("polyline", "none")];
   }
 }
 
-const word = (x, y, text, size) =>
-  `<text x="${rounded(x)}" y="${rounded(y + 6 * size)}" text-anchor="middle">${escaped(text)}</text>`;
+const word = ([x, y], text, size) => ["text", { x: rounded(x), y: rounded(y + 6 * size), "text-anchor": "middle" }, text];
+
+// Elements, as [tag, attributes, text or elements], on the screen. What stays is not made anew, nor set again: the
+// browser would hold it against every style of the page, and lay it out.
+function put(parent, wanted) {
+  wanted.forEach(([tag, attributes, inside = ""], i) => {
+    let node = parent.children[i];
+    if (node?.tagName !== tag) {
+      const made = document.createElementNS(SVG, tag);
+      if (node) node.replaceWith(made);
+      else parent.append(made);
+      node = made;
+    }
+    const old = node.told ?? {};
+    for (const name in attributes) if (old[name] !== attributes[name]) node.setAttribute(name, attributes[name]);
+    for (const name in old) if (!(name in attributes)) node.removeAttribute(name);
+    node.told = attributes;
+    if (Array.isArray(inside)) put(node, inside);
+    else if (node.textContent !== inside) node.textContent = inside;
+  });
+  while (parent.children.length > wanted.length) parent.lastChild.remove();
+}
 
 // ---- What the reader moves ----
 
@@ -347,6 +369,7 @@ const element = (tag, attributes = {}, ...children) => {
   return made;
 };
 
+const SVG = "http://www.w3.org/2000/svg";
 const NARROWEST = 240; // pixels of a picture
 const REACH = 26; // pixels around a point in which a finger or a pointer takes it
 const BIG = 5n; // grid steps of an arrow key with Shift
@@ -369,12 +392,10 @@ function render({ model, el }) {
   const most = model.get("most");
 
   // -- the parts on the screen
-  const svg = document.createElementNS("http://www.w3.org/2000/svg", "svg");
-  const under = document.createElementNS("http://www.w3.org/2000/svg", "g");
-  const above = document.createElementNS("http://www.w3.org/2000/svg", "g");
+  const svg = document.createElementNS(SVG, "svg");
+  put(svg, [["g", { "aria-hidden": "true" }], ["g", {}]]); // prettier-ignore
+  const [under, above] = svg.children;
   svg.setAttribute("role", "group");
-  under.setAttribute("aria-hidden", "true");
-  svg.append(under, above);
   const readout = element("div", { class: "bt-readout" });
   const said = element("div", { class: "bt-said", "aria-live": "polite" });
   const sliders = element("div", { class: "bt-row" });
@@ -384,10 +405,11 @@ function render({ model, el }) {
   el.append(root);
 
   // -- state
-  const send = () => {
-    model.set("state", state);
-    model.save_changes();
-  };
+  const send = () =>
+    queueMicrotask(() => { // the picture first
+      model.set("state", state);
+      model.save_changes();
+    }); // prettier-ignore
   const remember = () => {
     history.push(state);
     history = history.slice(-REMEMBERED);
@@ -476,6 +498,9 @@ function render({ model, el }) {
   svg.addEventListener("touchmove", (event) => held && event.preventDefault(), { passive: false });
 
   const focusOn = ({ list, index }) => above.querySelector(`[data-handle="${list}${index}"]`)?.focus({ preventScroll: true });
+  root.addEventListener("focusin", ({ target }) => {
+    selected = handles().find(({ list, index }) => target.dataset.handle === list + index) ?? selected;
+  });
   root.addEventListener("keydown", (event) => {
     const handle = handles().find(({ list, index }) => event.target.dataset?.handle === list + index);
     const typed = event.ctrlKey || event.metaKey ? `Ctrl+${event.key.toLowerCase()}` : event.key;
@@ -618,12 +643,10 @@ function render({ model, el }) {
       svg.setAttribute("width", width);
       svg.setAttribute("height", height);
     }
-    under.innerHTML = frames
-      .map(({ rectangle: [x, y, w, h] }, i) => {
-        const own = marks.filter((m) => m.frame === i).map((m) => drawn(m, frames[i], styles, size()));
-        return `<svg x="${x}" y="${y}" width="${w}" height="${h}" viewBox="${x} ${y} ${w} ${h}">${own.join("")}</svg>`;
-      })
-      .join("");
+    put(under, frames.map(({ rectangle: [x, y, width, height] }, i) => {
+      const own = marks.filter((m) => m.frame === i).flatMap((m) => drawn(m, frames[i], styles, size()));
+      return ["svg", { x, y, width, height, viewBox: `${x} ${y} ${width} ${height}` }, own];
+    })); // prettier-ignore
     paintHandles();
     paintControls();
     paintReadout();
@@ -631,44 +654,27 @@ function render({ model, el }) {
 
   const paintHandles = () => {
     const wanted = handles();
-    const key = wanted.map(({ list, index }) => list + index).join();
-    if (above.dataset.key !== key) {
-      const focused = above.querySelector(":focus")?.dataset.handle;
-      above.dataset.key = key;
-      above.innerHTML = wanted
-        .map(
-          ({ list, index, name }) =>
-            `<g data-handle="${list}${index}" class="bt-handle" tabindex="0" role="slider" aria-label="${
-              list === "points" ? "control point" : "point of the line"
-            } ${name}"><text text-anchor="middle">${name}</text><circle class="bt-ring"/><circle class="bt-dot"/></g>`,
-        )
-        .join("");
-      for (const group of above.children) {
-        const [, list, index] = group.dataset.handle.match(/([a-z]+)(\d+)/);
-        group.addEventListener("focus", () => (selected = { list, index: Number(index) }));
-      }
-      above.querySelector(`[data-handle="${focused}"]`)?.focus();
-    }
     const places = wanted.map(({ at }) => frame.place(at.map(value)));
     const names = beside(places.slice(0, state.points.length), size());
-    wanted.forEach(({ at, list, index }, i) => {
-      const group = above.children[i];
-      const [text, ring, dot] = group.children;
+    const focused = above.querySelector(":focus")?.dataset.handle;
+    put(above, wanted.map(({ at, list, index, name }, i) => {
       const [x, y] = places[i];
-      const [nx, ny] = list === "points" ? names[i] : [x, y - 20 * size()];
-      for (const circle of [ring, dot]) {
-        circle.setAttribute("cx", rounded(x));
-        circle.setAttribute("cy", rounded(y));
-      }
-      ring.setAttribute("r", 13 * size());
-      dot.setAttribute("r", 7 * size());
-      text.setAttribute("x", rounded(nx));
-      text.setAttribute("y", rounded(ny + 6 * size()));
-      group.setAttribute("aria-valuenow", value(at[1]));
-      group.setAttribute("aria-valuetext", `(${at.join(", ")})`);
-    });
+      const circle = (kind, r) => ["circle", { class: kind, cx: rounded(x), cy: rounded(y), r: r * size() }];
+      const named = list === "points" ? names[i] : [x, y - 20 * size()];
+      const attributes = {
+        "data-handle": list + index,
+        class: "bt-handle",
+        tabindex: 0,
+        role: "slider",
+        "aria-label": `${list === "points" ? "control point" : "point of the line"} ${name}`,
+        "aria-valuenow": value(at[1]),
+        "aria-valuetext": `(${at.join(", ")})`,
+      };
+      return ["g", attributes, [word(named, name, size()), circle("bt-ring", 13), circle("bt-dot", 7)]];
+    })); // prettier-ignore
+    const stays = focused && above.querySelector(`[data-handle="${focused}"]`);
+    if (stays && !stays.matches(":focus")) stays.focus({ preventScroll: true });
   };
-
   let controlled = "";
   const paintControls = () => {
     const { points, line, ...settings } = state;
