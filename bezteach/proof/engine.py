@@ -14,6 +14,7 @@ from .fixed import by_cases
 from .inequalities.signs import by_signs
 from .regions import check_ranges
 from .statement import statement
+from .terms.size import MOST, most_terms
 from .verdict import INVALID, REFUTED, UNDECIDED, Proof, verdict_of
 
 PROVERS = [by_algebra, by_wz, by_induction, by_signs, by_cases]
@@ -51,6 +52,8 @@ def decided(claim, clock):
     if found.undefined is not None:
         raise InvalidStatement(f"neither side has a value at {found.undefined.point()}: {found.undefined.lhs}")
     check_ranges(claim.ranges)
+    if max(map(most_terms, (claim.lhs, claim.rhs))) > MOST:
+        return Proof(UNDECIDED, "", note=f"no counterexample: {found}, and too large to be multiplied out")
     for prover in PROVERS:
         try:
             proof = prover(claim, clock if prover is PROVERS[-1] else clock.part(PROVERS_SHARE))

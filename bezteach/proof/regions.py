@@ -7,7 +7,6 @@ from .ranges import Integers, assumed, ends
 from .terms.defined import check_defined
 from .terms.failure import Failure
 from .terms.linear import coefficients, is_whole_form, least
-from .terms.size import degree
 
 
 def region_of(ranges):
@@ -23,26 +22,31 @@ def region_of(ranges):
 def check_ranges(found):
     """``InvalidStatement`` if an end of a range may have no value, or may go beyond what is assumed of the symbol.
 
-    The refuter meets only what is near, and SymPy goes by what is assumed. Only ends that are rational functions are
-    looked at, and only linear forms are held against what is assumed.
+    The refuter meets only what is near, and SymPy goes by what is assumed.
     """
     conditions = region_of(found)[1]
     for symbol, values in found.items():
         low, high = ends(values)
         lowest, highest = assumed(symbol, isinstance(values, Integers))
-        for end, gap in ((low, low - lowest), (high, highest - high)):
-            _check_end(symbol, end, conditions)
-            row = coefficients(gap)
-            if row is not None and least(gap * ilcm(1, *(c.q for c in row.values())), conditions) < 0:
+        for end, assumed_end, sign in ((low, lowest, 1), (high, highest, -1)):
+            if not end.is_infinite:
+                _check_end(symbol, end, conditions)
+            if assumed_end.is_finite and not _is_never_negative(sign * (end - assumed_end), conditions):
                 raise InvalidStatement(f"the range of {symbol} may go beyond what is assumed of it")
 
 
 def _check_end(symbol, end, conditions):
     try:
-        if degree(end) is not None:
-            check_defined(end, conditions)
+        check_defined(end, conditions)
     except Failure as error:
         raise InvalidStatement(f"the range of {symbol} may have no end: {error}") from None
+
+
+def _is_never_negative(form, conditions):
+    row = coefficients(form)
+    if row is None:
+        return form.is_extended_nonnegative
+    return least(form * ilcm(1, *(c.q for c in row.values())), conditions) >= 0
 
 
 def has_values(values, known):

@@ -121,6 +121,9 @@ def test_the_deck_s_sign_at_the_right_end_is_not_proved_but_refuted():
         pytest.param(0 * t + 0**n, 0, {}, id="0^0 is 1"),
         pytest.param(t ** (i - Rational(1, 2)), t ** (i - Rational(1, 2)), {}, id="an exponent that is not whole"),
         pytest.param(binomial(n, i / 2), binomial(n, i / 2), {}, id="a lower number that is not whole"),
+        pytest.param(
+            1 / (1 + t ** (n**2)), 1 / (1 + t ** (n**2)), {t: Interval.open(0, 1)}, id="an exponent that is not linear"
+        ),
         pytest.param(1 / (1 + E), 1 / (1 + E), {}, id="an operator in a denominator"),
         pytest.param(binomial(n, E), binomial(n, n - E), {}, id="an operator is no whole number"),
         pytest.param(B(E, n, t), B(n - E, n, 1 - t), {}, id="an operator is no index"),
@@ -159,6 +162,8 @@ def test_an_integral_over_a_square_is_taken_side_by_side():
     assert proof(square, 1 / (n + 1) ** 2, {i: (0, n), j: (0, n)}).status == "PROVED"
     assert proof(square, 1 / (n + 1), {i: (0, n), j: (0, n)}) is None
     assert proof(Integral(x, (x, 0, t), (t, 0, 1)), Rational(1, 6)) is None
+    for limits in (((x, 0, 1), (t, 0, 2)), ((x, 0, 2), (t, 0, 1))):
+        assert proof(Integral(B(i, n, x), *limits), 1 / (n + 1), {i: (0, n)}) is None
 
 
 def test_plain_symbols_are_understood_by_their_use():
@@ -197,7 +202,7 @@ def test_the_steps_are_the_same_whatever_order_python_gives_its_sets():
 
 VANISHES_TO_14 = Mul(*[n - place for place in range(15)])  # what is false beside it, the refuter does not see
 CAPTURED = Sum(1 / (i - 20), (i, 0, n)) - Sum(1 / (j - 20), (j, 0, n)) + Sum(k, (k, 0, n)) + i + j
-VALUE = Symbol("value")
+VALUE, WHOLE, REAL = Symbol("value"), Symbol("whole", integer=True), Symbol("x")
 
 
 @pytest.mark.parametrize(
@@ -218,6 +223,12 @@ VALUE = Symbol("value")
             id="what is known of a symbol outside is not known of the one that a value is put in for",
         ),
         pytest.param(
+            KroneckerDelta(VALUE, 1) + Sum(KroneckerDelta(WHOLE, -5) * Subs(1 / VALUE, VALUE, u - 77), (WHOLE, 0, n)),
+            KroneckerDelta(VALUE, 1),
+            {VALUE: (1, 2)},
+            id="nor of the one in a summand that is 0, and is not looked at",
+        ),
+        pytest.param(
             Sum(KroneckerDelta(k, 0) * Product(1 / j, (j, 25 - k, 30)), (k, 0, n)) + j,
             Product(1 / j, (j, 25, 30)) + j,
             {j: (1, oo)},
@@ -225,6 +236,13 @@ VALUE = Symbol("value")
         ),
         pytest.param(Sum(b[k] * b[k + 2] - b[k + 1] ** 2, (k, 0, n)), 0, {}, id="products of points in a sum"),
         pytest.param(Sum((-1) ** k * binomial(n, k) * b[k] * b[n - k], (k, 0, n)), 0, {}, id="points that turn round"),
+        pytest.param(Subs((-1) ** (2 * REAL), REAL, Rational(1, 2)), 1, {}, id="a value that is not whole"),
+        pytest.param(
+            t + Integral((-1) ** (2 * REAL), (REAL, 0, 1)), t + 1, {}, id="nor is what an integral runs through"
+        ),
+        pytest.param(
+            Subs(B(REAL, n, t) * B(-1 - REAL, n, t), REAL, Rational(1, 2)), 0, {}, id="an index that is not whole"
+        ),
         pytest.param(Derivative(E * b[1], E), 2 * b[1], {}, id="a derivative by the operator beside a point"),
         pytest.param(Subs(E * b[1], E, 3), 9 * b[0], {}, id="a value for the operator beside a point"),
     ],
@@ -267,6 +285,7 @@ def test_a_power_too_high_to_be_multiplied_out_is_left_alone():
             Sum(binomial(n, k) * (k + t) ** 12 * (k + u) ** 9, (k, 0, n)), (t + u) ** n * 2**n, id="1495 terms to sum"
         ),
         pytest.param((t - 1) ** 400 + (t + 1) ** 300, None, id="a polynomial of degree 400 to factor"),
+        pytest.param((n + t + u) ** 300 * 2**n, (n + t + u) ** 299 * 2**n * (n + t - u), id="300 in three symbols"),
     ],
 )
 def test_what_is_too_large_is_not_begun(lhs, rhs):

@@ -17,6 +17,7 @@ from sympy import (
     Interval,
     KroneckerDelta,
     Le,
+    Max,
     Mul,
     Rational,
     Sum,
@@ -144,7 +145,11 @@ def test_a_range_that_has_no_end_only_far_away_is_invalid():
     """The refuter does not go as far as n = 20."""
     assert prove(t + i, i + t, given={i: (0, 1 / (n - 20))}).note.startswith("the range of i may have no end: n - 20")
     assert prove(t + i, i + t, given={n: (21, oo), i: (0, n / (n - 20))}).status == PROVED
-    assert prove(t + i, i + t, given={i: (0, floor(n / 2)), t: Interval(0, sqrt(n))}).status == PROVED
+    for end in (floor(1 / (n - 20)), binomial(20 - n, 2), Max(n, 1 / (n - 20))):
+        assert prove(t + i, i + t, given={i: (0, end)}).note.startswith("the range of i may have no end")
+    for end in (floor(n / 2), n**2, 2**n, binomial(n, 2), Max(n, 3)):
+        assert prove(t + i, i + t, given={i: (0, end), t: Interval(0, end)}).status == PROVED
+    assert prove(t, t, given={n: (0, oo), t: Interval(0, sqrt(n))}).status == INVALID  # a root is not looked into
 
 
 def test_a_range_that_goes_beyond_what_is_assumed_only_far_away_is_invalid():
@@ -154,6 +159,16 @@ def test_a_range_that_goes_beyond_what_is_assumed_only_far_away_is_invalid():
     assert prove(*sides, given={n: (20 - m, oo)}).note == "the range of n may go beyond what is assumed of it"
     assert prove(*sides, given={m: (0, 20), n: (20 - m, oo)}).status == PROVED
     assert prove(t + m, m + t, given={m: (0, 20), t: Interval(m / 2 - 10, 20 - m)}).status == PROVED
+    for start in (400 - m**2, 20 - floor(m / 2), 20 - Max(m, 3)):
+        assert prove(*sides, given={n: (start, oo)}).note == "the range of n may go beyond what is assumed of it"
+    assert prove(*sides, given={n: (m**2, oo)}).status == PROVED
+
+
+def test_what_is_too_large_to_be_multiplied_out_is_undecided_at_once():
+    """It is true, but of some 80,000 terms."""
+    large = 2**n * (n + t + u + 1) ** 300
+    verdict = prove(Ge(large + 1, large - t), given={t: Interval(0, 1), u: Interval(0, 1)}, budget=1)
+    assert verdict.status == UNDECIDED and verdict.note.endswith("and too large to be multiplied out")
 
 
 @settings(max_examples=120, deadline=None, derandomize=True)

@@ -249,6 +249,15 @@ def test_sums_over_other_ranges_are_not_the_same_at_the_peak():
     assert by_signs(claim(Le, B(i, n, t) * one, B(i, n, i / n) * one, FROM_1 | WITHIN), Budget(5)).method == "peak"
 
 
+def test_what_is_too_large_to_factor_or_cancel_is_left_alone():
+    """SymPy cannot be interrupted while it factors or cancels: without a bound each of these takes minutes."""
+    large = (t - 1) ** 400 + (t + 1) ** 300
+    peak = claim(Le, B(i, n, t) * large, B(i, n, i / n) * 3**300, FROM_1 | WITHIN)
+    growth = claim(Ge, factorial(n) * (n + t) ** 400, t**40 / 1000, {t: UNIT})
+    step = claim(Ge, 2**n * ((n + 1) ** 120 + 1), n, {n: (1, oo)})
+    assert [by_signs(each, Budget(1)) for each in (peak, growth, step)] == [None, None, None]
+
+
 def test_an_equation_is_left_to_others():
     assert by_signs(statement(ALL, 1), Budget(5)) is None
 

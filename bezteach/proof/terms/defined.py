@@ -114,28 +114,25 @@ def _check(expr, conditions, reals):
             _check(point, conditions, reals)
     elif not isinstance(expr, _OF_ITS_PARTS):
         raise Failure(f"it is not known where {expr} has a value")
-    bodies, bound = _bodies(expr)
-    reals = {symbol: values for symbol, values in reals.items() if symbol not in bound}
-    conditions = [condition for condition in conditions if condition.free_symbols.isdisjoint(bound)]
-    for part in bodies:
+    for part in _bodies(expr):
         _check(part, conditions, reals)
 
 
 def _bodies(expr):
-    """The parts that must have a value, without variables and points; and the symbols bound in them."""
+    """The parts that must have a value, without variables and points.
+
+    What is bound in them is a letter of its own, that is no whole number, and may be 0 also where it was the operator.
+    """
     if isinstance(expr, Derivative):
-        return (expr.expr,), {symbol for symbol, _ in expr.variable_count}
-    if isinstance(expr, Subs):
-        return (_with_a_letter_for_operator(expr.expr, expr.variables),), set(expr.variables)
-    if isinstance(expr, Integral):  # an inner limit may hold an outer variable
-        parts = (expr.function, *(end for _, *ends in expr.limits for end in ends))
-        return [_with_a_letter_for_operator(part, expr.variables) for part in parts], set(expr.variables)
-    return expr.args, set()
-
-
-def _with_a_letter_for_operator(part, variables):
-    """Where a value is put in for the operator it is no operator, and may be 0."""
-    return part.xreplace({E: Dummy("E")}) if E in variables else part
+        parts, bound = (expr.expr,), [symbol for symbol, _ in expr.variable_count]
+    elif isinstance(expr, Subs):
+        parts, bound = (expr.expr,), expr.variables
+    elif isinstance(expr, Integral):  # an inner limit may hold an outer variable
+        parts, bound = (expr.function, *(end for _, *ends in expr.limits for end in ends)), expr.variables
+    else:
+        return expr.args
+    letters = {symbol: Dummy(symbol.name, integer=False) for symbol in bound}
+    return [part.xreplace(letters) for part in parts]
 
 
 def _check_whole(expr, *forms):

@@ -23,14 +23,15 @@ def coefficients(form):
 
 
 def is_whole_form(form):
-    """Whether it is a linear form with integer coefficients: a whole number where all of its symbols are.
+    """Whether it is a linear form with integer coefficients: a whole number where all of its symbols are. A symbol that
+    is declared to be none, as the variables of integrals are by ``defined``, makes it none.
 
     >>> from bezteach.symbolic import i, n
     >>> is_whole_form(n - 2 * i), is_whole_form(n / 2), is_whole_form(n**2)
     (True, False, False)
     """
     found = coefficients(form)
-    return found is not None and all(c.is_Integer for c in found.values())
+    return found is not None and all(c.is_Integer and part.is_integer is not False for part, c in found.items())
 
 
 def least(form, conditions):

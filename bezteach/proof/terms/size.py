@@ -1,10 +1,13 @@
-"""SymPy cannot be interrupted while it cancels or factors: what is too large for that is not begun."""
+"""SymPy cannot be interrupted while it multiplies out, cancels or factors: what is too large for that is not begun."""
+
+from math import comb, prod
 
 from sympy import Add, Mul, Pow, Rational, Symbol, cancel, factor
 
 from .failure import Failure
 
 LARGEST = 100  # degree times number of symbols, which takes a few seconds at most
+MOST = 5000  # terms
 
 
 def degree(expr):
@@ -24,6 +27,26 @@ def degree(expr):
         return None
     degrees = [degree(part) for part in expr.args]
     return None if None in degrees else sum(degrees) if expr.is_Mul else max(degrees)
+
+
+def most_terms(expr):
+    """At most how many terms an expression, or one of its parts, has when multiplied out; not counted beyond ``MOST``.
+
+    >>> from bezteach.symbolic import n, t
+    >>> most_terms((n + t + 1) ** 3), most_terms((n + 1) ** 3 * (n + 2) ** 3), most_terms(2**n * (n + t) ** 400)
+    (10, 7, 401)
+    """
+    if (highest := degree(expr)) is not None:
+        return min(comb(highest + len(expr.free_symbols), highest), MOST + 1)
+    if expr.is_Mul:
+        plain = [part for part in expr.args if degree(part) is not None]
+        count = most_terms(Mul(*plain)) * prod(most_terms(part) for part in expr.args if part not in plain)
+    else:
+        counts = [most_terms(part) for part in expr.args]
+        count = sum(counts) if expr.is_Add else max(counts, default=1)
+        if expr.is_Pow and expr.exp.is_Integer:
+            count = comb(abs(int(expr.exp)) + count - 1, count - 1)
+    return min(count, MOST + 1)
 
 
 def cancelled(expr):
