@@ -37,6 +37,7 @@ class Server(NamedTuple):
         """Open a notebook in JupyterLab and have all of its cells run, as a reader does."""
         page.goto(f"{self.address}/lab/tree/{notebook}?token={self.token}&reset")
         page.locator(".jp-NotebookPanel-toolbar").get_by_text("Python 3").wait_for()
+        page.locator(".jp-Notebook-ExecutionIndicator[data-status=idle]").wait_for()  # before, cells may stay unrun
         waiting = page.locator(".jp-CodeCell .jp-InputPrompt", has_text=NOT_RUN)
         waiting.first.wait_for()
         page.get_by_role("menuitem", name="Run", exact=True).click()
