@@ -268,6 +268,7 @@ def test_the_budget_stops_loops_in_loops():
         (u, "u has no value"),
         (b, "IndexedBase"),
         (Derivative(b[0] ** 2, b[0]), "differentiates by b"),
+        (Subs(t**2, 1 - t, 0), "puts a value in for 1 - t, which is no symbol"),
     ],
 )
 def test_what_the_evaluator_does_not_know_it_names(expr, what):

@@ -103,6 +103,9 @@ def _derivative(expr, scope):
 
 def _at(expr, scope):
     """``Subs``: an expression with values in the place of some of its symbols, all at once."""
+    for symbol in expr.variables:
+        if not symbol.is_Symbol:
+            raise InvalidStatement(f"{expr} puts a value in for {symbol}, which is no symbol")
     _check_order(expr)
     points = [closure(point, scope) for point in expr.point]
     places = []
