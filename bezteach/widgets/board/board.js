@@ -242,11 +242,12 @@ const nameOf = (letter, i) => letter + String(i).replace(/\d/g, (digit) => SUBSC
 
 // ---- The picture: marks as the elements that svg.py writes ----
 
-const MARGIN = 30;
+const MARGIN = 32;
 const NARROW = 460;
 const SAMPLES = 97;
 const STEEP = 0.66;
 const BELOW = 20;
+const AWAY = 24;
 
 function layout(width, [x0, y0, x1, y1], beside, size, stretched) {
   const margin = MARGIN * size;
@@ -287,7 +288,7 @@ function beside(pixels, size) {
     const away = subtract(dot, [0, 1].map((axis) => near.reduce((sum, p) => sum + p[axis], 0) / near.length)); // prettier-ignore
     const length = Math.hypot(...away);
     const unit = length > 1 ? away.map((c) => c / length) : [0, -1];
-    return dot.map((c, axis) => c + 20 * size * unit[axis]);
+    return dot.map((c, axis) => c + AWAY * size * unit[axis]);
   });
 }
 
@@ -660,7 +661,7 @@ function render({ model, el }) {
     put(above, wanted.map(({ at, list, index, name }, i) => {
       const [x, y] = places[i];
       const circle = (kind, r) => ["circle", { class: kind, cx: rounded(x), cy: rounded(y), r: r * size() }];
-      const named = list === "points" ? names[i] : [x, y - 20 * size()];
+      const named = list === "points" ? names[i] : [x, y - AWAY * size()];
       const attributes = {
         "data-handle": list + index,
         class: "bt-handle",
@@ -670,7 +671,7 @@ function render({ model, el }) {
         "aria-valuenow": value(at[1]),
         "aria-valuetext": `(${at.join(", ")})`,
       };
-      return ["g", attributes, [word(named, name, size()), circle("bt-ring", 13), circle("bt-dot", 7)]];
+      return ["g", attributes, [word(named, name, size()), circle("bt-ring", 12), circle("bt-dot", 7)]];
     })); // prettier-ignore
     const stays = focused && above.querySelector(`[data-handle="${focused}"]`);
     if (stays && !stays.matches(":focus")) stays.focus({ preventScroll: true });

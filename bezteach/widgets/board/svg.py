@@ -9,12 +9,13 @@ from ...palette import FIRST, INK, QUIET, SECOND
 
 COLOURS = {"ink": INK, "first": FIRST, "second": SECOND, "quiet": QUIET, "paper": "#ffffff", "none": "none"}
 WIDTH = 640
-MARGIN = 30
+MARGIN = 32
 NARROW = 460  # below this the second frame stands under the first
 SAMPLES = 97
 LETTERS = 17
 STEEP = 0.66  # height by width of a graph
 BELOW = 20  # pixels from a point down to a word under it
+AWAY = 24  # and to its name, which the ring around a marked point does not touch
 
 
 class Frame:
@@ -123,7 +124,7 @@ def beside(pixels):
         neighbours = [pixels[j] for j in (i - 1, i + 1) if 0 <= j < len(pixels)]
         away = dot - np.mean(neighbours or [dot], axis=0)
         length = float(np.hypot(*away))
-        yield dot + 20 * (away / length if length > 1 else np.array([0, -1]))
+        yield dot + AWAY * (away / length if length > 1 else np.array([0, -1]))
 
 
 def _look(style, fill):
