@@ -20,6 +20,7 @@ ALL = {
     "graph": lambda: figures.graph([0, 0, F(1, 3), 1], "$t^2$"),
     "graphs": lambda: figures.graphs({"$B_{1,3}$": [0, 1, 0, 0], "$B_{1,3}'$": [3, 0, -3]}),
     "triangle": lambda: figures.triangle(CUBIC, F(1, 3)),
+    "loci": lambda: figures.loci(CUBIC, F(1, 3)),
     "split": lambda: figures.split(CUBIC, F(1, 3)),
     "segment": lambda: figures.segment(ARCH, F(1, 4), F(3, 4)),
     "halving": lambda: figures.halving(CUBIC),
@@ -50,6 +51,17 @@ def test_triangle_grows_by_one_level_a_panel():
     for last, axes in enumerate(figure.axes):
         assert [holds(axes, level) for level in levels] == [k <= last for k in range(4)]
     assert [text.get_text() for text in figure.axes[2].texts] == ["(2/3, 13/9)", "(5/3, 19/9)"]
+
+
+def test_loci_are_curves_of_the_level_s_degree_through_its_points():
+    levels = EXAMPLES["deck/split"].answer["triangle"]
+    panels = ALL["loci"]().axes[:3]
+    for k, axes in enumerate(panels, 1):
+        polygon, *paths, points = drawn(axes)
+        assert len(paths) == 4 - k and np.allclose(points, np.array(levels[k], dtype=float))
+        for path, ends in zip(paths, zip(CUBIC, CUBIC[k:], strict=False), strict=True):
+            assert np.allclose(path[[0, -1]], np.array(ends, dtype=float))
+            assert np.abs(np.diff(path, k + 1, axis=0)).max() < 1e-12 < np.abs(np.diff(path, k, axis=0)).max()
 
 
 def test_segment_draws_the_part():

@@ -126,7 +126,7 @@ def test_an_answer_partly_right_is_told_where_to_look():
 
 
 def test_right_answers_by_hand():
-    """Worked on paper: the left half at 1/4, the right half at 1/3, the part [1/3, 2/3]."""
+    """Worked on paper: the left half at 1/4, the right half at 1/3, the part [1/3, 2/3], and so on."""
     right = {name: typed(question.right()) for name, question in ENTRIES.items()}
     assert right == {
         "basis/exercise-values": "(8/27, 4/9, 2/9, 1/27)",
@@ -135,6 +135,11 @@ def test_right_answers_by_hand():
         "basis/exercise-integral": "1/8",
         "basis/exercise-coefficients": "(0, 0, 1/3, 1)",
         "basis/exercise-part": "(0, 0, 1/4)",
+        "operator/difference": "-4",
+        "operator/exercise-first": "-7",
+        "operator/exercise-path": "(1, 3) (2, 1) (3, 3)",
+        "operator/exercise-step": "7/2",
+        "operator/exercise-two-parameters": "10/3",
         "splitting/exercise-cut-point": "(3/2, 15/8)",
         "splitting/exercise-left-half": "(0, 0) (1/4, 3/4) (1/2, 19/16) (3/4, 93/64)",
         "splitting/exercise-right-half": "(4/9, 10/9) (2/3, 4/3) (0, 2)",

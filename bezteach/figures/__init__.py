@@ -4,7 +4,7 @@ Every picture reads on a projector and in greyscale: what a colour tells, a dash
 of two numbers, exact or not. ``show`` puts a figure into a notebook as PNG and SVG, the same bytes from run to run.
 """
 
-from .curves import halving, segment, split, triangle
+from .curves import halving, loci, segment, split, triangle
 from .functions import areas, basis, decay, graph, graphs, stacked
 from .scene import drawn
 from .style import show
@@ -17,6 +17,7 @@ __all__ = [
     "graph",
     "graphs",
     "halving",
+    "loci",
     "segment",
     "show",
     "split",

@@ -1,4 +1,4 @@
-"""Pictures of curves with their control polygons: the triangle, the halves, a part, repeated halving."""
+"""Pictures of curves with their control polygons: the triangle, its paths, the halves, a part, repeated halving."""
 
 import matplotlib as mpl
 import numpy as np
@@ -31,6 +31,26 @@ def triangle(points, t):
         f"De Casteljau's construction at t = {number(t)} in {len(levels)} pictures, a level more in each: "
         f"every edge is cut in the same ratio, down to the one point {found} of the curve."
     )
+    return figure
+
+
+@mpl.rc_context(STYLE)
+def loci(points, t):
+    """The paths of the intermediate points as the parameter runs from 0 to 1, a panel a level, and where they are at t.
+
+    Source: deck, 2.1: point j of level k runs along the curve of degree k with the control points j, ..., j + k.
+    """
+    levels = numeric.de_casteljau(points, t)
+    figure, panels = _panels(len(levels) - 1, points)
+    for k, (axes, level) in enumerate(zip(panels, levels[1:], strict=True), 1):
+        _polygon(axes, points, QUIET, ".", ":")
+        for j in range(len(level)):
+            _curve(axes, points[j : j + k + 1], (FIRST, SECOND)[j % 2], dash=("-", "--")[j % 2])
+        x, y = np.asarray(level, dtype=float).T
+        axes.plot(x, y, linestyle="", marker=LEVEL_MARKERS[k % 10], color=INK, markersize=9)
+        axes.set_title(f"level {k}: {len(level)} path{'s' if len(level) > 1 else ''} of degree {k}")
+    counted = ", ".join(f"{len(level)} of degree {k}" for k, level in enumerate(levels[1:], 1))
+    figure.set_label(f"The paths of the intermediate points, with their places at t = {number(t)}: {counted}.")
     return figure
 
 

@@ -1,0 +1,3 @@
+"""The questions of the lesson on de Casteljau's algorithm."""
+
+QUESTIONS = {}

@@ -1,0 +1,3 @@
+"""The questions of the lesson on derivatives and the hodograph."""
+
+QUESTIONS = {}
