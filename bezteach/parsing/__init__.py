@@ -34,9 +34,10 @@ one another, of letters, points and numbers to 12 digits.
 from sympy import I, nan, oo, zoo
 
 from .characters import tokens_of
-from .errors import InvalidAnswer
+from .errors import BelowZero, InvalidAnswer
 from .given import ranges
 from .grammar import Grammar
+from .names import INTEGERS, LETTERS
 
 __all__ = ["InvalidAnswer", "parse", "parse_given"]
 
@@ -73,8 +74,13 @@ def parse_given(text):
     return _within_bounds(ranges, text)
 
 
-def _statements(tokens):
-    values = Grammar(tokens).statements()
+def _statements(tokens, letters=LETTERS):
+    grammar = Grammar(tokens)
+    grammar.letters = letters
+    try:
+        values = grammar.statements()
+    except BelowZero as found:
+        return _statements(tokens, {**letters, found.name: INTEGERS[found.name]})
     if any(value.has(nan, zoo, oo, I) for value in _flat(values)):
         raise InvalidAnswer("this is not a real number: look for a division by zero or a root of a negative one", 1)
     return values

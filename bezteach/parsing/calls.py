@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 from sympy import Abs, Derivative, Expr, Integral, Rational, Sum, Symbol
 
 from ..symbolic import B, E, step
-from .errors import InvalidAnswer
+from .errors import BelowZero, InvalidAnswer
 from .names import WHOLE
 from .nodes import (
     MAX_EXPONENT,
@@ -96,6 +96,8 @@ def sum_over(position, body, triples):
         for bound in bounds:
             whole_formula(expression(*bound), "a limit of the sum", MAX_FACTORIAL, bound.position)
             _refuse_own_letter(index, bound)
+        if index.value.is_nonnegative and not bounds[0].value.is_nonnegative:
+            raise BelowZero(index.value.name)
     result = Sum(body, *[tuple(item.value for item in triple) for triple in triples])
     if levels(result, lambda node: isinstance(node, Sum) and len(node.limits)) > MAX_SUMS:
         raise InvalidAnswer(f"more than {MAX_SUMS} sums stand inside one another: write fewer", position)

@@ -1,4 +1,4 @@
-"""The one exception that reading a formula raises."""
+"""The one exception that reading a formula raises, and one that never leaves the reader."""
 
 
 class InvalidAnswer(ValueError):
@@ -12,3 +12,11 @@ class InvalidAnswer(ValueError):
     def __init__(self, message, position=None):
         super().__init__(message if position is None else f"character {position}: {message}")
         self.position = position
+
+
+class BelowZero(Exception):
+    """A sum over the letter ``name`` may begin below 0: the text is read again, and nothing is assumed of its sign."""
+
+    def __init__(self, name):
+        super().__init__(name)
+        self.name = name

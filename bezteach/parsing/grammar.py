@@ -24,6 +24,7 @@ CURVES = "pxyz"  # letters that also name a curve or its coordinates, so that p(
 class Grammar(Reader):
     """The rules, each of which reads its tokens and gives their value."""
 
+    letters = LETTERS
     bare = None  # the letter or point that was read last, if it has neither ! nor a power
 
     def statements(self):
@@ -200,7 +201,7 @@ class Grammar(Reader):
                 self.count(token.position, root=True)
             return call(FUNCTIONS[name], self.nested(self.arguments), token.position)
         if name in LETTERS:
-            return LETTERS[name]
+            return self.letters[name]
         if name in FUNCTIONS and name not in ("B", "C", "g"):
             raise InvalidAnswer(f"{name} needs its arguments in brackets: write {name}(...)", token.position)
         raise InvalidAnswer(about(name), token.position)

@@ -11,7 +11,9 @@ LETTERS = {
     **{letter: Symbol(letter, integer=True, nonnegative=True) for letter in "lmpq"},
     **{letter: Symbol(letter, real=True) for letter in "achsvwxyz"},
 }
-WHOLE = frozenset(symbol for symbol in LETTERS.values() if symbol.is_integer)
+# the letters of sums that begin below 0, or may: SymPy must not go by their being >= 0
+INTEGERS = {name: Symbol(name, integer=True) for name, symbol in LETTERS.items() if symbol.is_integer}
+WHOLE = frozenset(symbol for symbol in LETTERS.values() if symbol.is_integer) | frozenset(INTEGERS.values())
 POINTS = {"b": b, **{letter: IndexedBase(letter) for letter in "acxyz"}}
 
 # the name that a student may type: the name of the rule that builds it

@@ -57,7 +57,9 @@ def decided(claim, clock):
     for prover in PROVERS:
         try:
             proof = prover(claim, clock if prover is PROVERS[-1] else clock.part(PROVERS_SHARE))
-        except (OutOfTime, Unsupported):
+        except InvalidStatement:
+            raise
+        except (OutOfTime, Unsupported, ValueError):  # SymPy refuses values such as a derivative's order below 0
             continue
         if proof is not None:
             return proof

@@ -8,6 +8,7 @@ from bezteach.symbolic import E, latex
 
 from .errors import InvalidStatement
 from .exact.evaluate import evaluator, expression
+from .indices import stays, with_true_indices
 from .ranges import ranges
 
 RELATIONS = {sp.Eq: "=", sp.Ge: ">=", sp.Gt: ">", sp.Le: "<=", sp.Lt: "<"}
@@ -50,7 +51,7 @@ def statement(lhs, rhs=None, given=None):
         evaluator(side, tuple(found))
         check_binders(side, found)
     check_kinds(left, relation, right)
-    return Statement(left, relation, right, found)
+    return Statement(with_true_indices(left), relation, with_true_indices(right), found)
 
 
 def _parts(lhs, rhs):
@@ -69,10 +70,21 @@ def check_binders(side, found):
             for symbol, _ in node.variable_count:
                 if symbol in found and not isinstance(found[symbol], sp.Interval):
                     raise InvalidStatement(f"{node} differentiates by {symbol}, which is an integer")
+        if isinstance(node, sp.Subs):
+            _check_signs(node, [(symbol, at, at) for symbol, at in zip(node.variables, node.point, strict=True)])
+        if isinstance(node, sp.Integral):
+            _check_signs(node, node.limits)
         if isinstance(node, sp.Sum | sp.Product | sp.Integral):
             whole = not isinstance(node, sp.Integral)
             for symbol, *limits in node.limits:
                 _check_bound(node, symbol, limits, found, whole)
+
+
+def _check_signs(node, limits):
+    """SymPy goes by what is assumed of a symbol, whatever stands in its place; of indices ``indices`` takes care."""
+    for symbol, *ends in limits:
+        if len(ends) == 2 and not stays(symbol, *ends):
+            raise InvalidStatement(f"in {node} the variable {symbol} may go beyond what is assumed of it")
 
 
 def _check_bound(node, symbol, limits, found, whole):

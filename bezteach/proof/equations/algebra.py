@@ -9,8 +9,9 @@ from sympy import Add, Dummy, Indexed, Mul, Pow, S, Subs, Sum, expand, oo
 from bezteach.symbolic import B, Step
 
 from ..certificate import ByTerms, Group, Part, TermsCase
+from ..indices import with_fresh_indices
 from ..regions import region_of
-from ..terms.defined import check_defined, with_fresh_indices
+from ..terms.defined import check_defined
 from ..terms.linear import coefficients, is_whole_form, least
 from ..terms.normal import POINT, Edge, normal
 from ..terms.size import cancelled

@@ -7,11 +7,13 @@ about that summand, and about the sum of what the others gain; ``algebra`` decid
 from sympy import Sum, expand
 
 from ..certificate import ByInduction, Lemma
+from ..indices import with_fresh_indices
 from ..ranges import Integers, ends
 from ..regions import region_of
 from ..statement import Statement
-from ..terms.defined import check_defined, with_fresh_indices
+from ..terms.defined import check_defined
 from ..terms.differences import difference
+from ..terms.linear import is_whole_form
 from ..terms.terms import Failure
 from ..verdict import PROVED, Proof
 from .algebra import by_algebra
@@ -67,12 +69,12 @@ def _along(symbol, upward, statement, budget):
 
 def first_and_step(statement, symbol, upward):
     """The statement at one end of the range of a symbol, and that both sides gain the same by a step; None if that end
-    is infinite, or if the range of another symbol depends on this one.
+    is no whole number, or if the range of another symbol depends on this one.
     """
     low, high = statement.ranges[symbol]
     start = low if upward else high
     others = {s: values for s, values in statement.ranges.items() if s != symbol}
-    if start.is_infinite or any(symbol in end.free_symbols for r in others.values() for end in ends(r)):
+    if not is_whole_form(start) or any(symbol in end.free_symbols for r in others.values() for end in ends(r)):
         return None
     sides = [with_fresh_indices(expand(side)) for side in (statement.lhs, statement.rhs)]
     ranges = {**others, symbol: Integers(low, high - 1)}

@@ -7,7 +7,7 @@ is never 0 and if S = R at the first n, then S = R for every n. Each of these is
 
 from typing import NamedTuple
 
-from sympy import Add, Eq, Expr, Function, Mul, S, Sum, Symbol, binomial, expand, factor, factorial, oo
+from sympy import Add, Eq, Expr, Function, Mul, S, Sum, Symbol, binomial, expand, factor, factorial
 
 from bezteach.symbolic import Step
 
@@ -97,7 +97,7 @@ def ranges_without(ranges, n):
     """The ranges of the other symbols, and that of n without its last value."""
     low, high = ranges[n]
     others = {symbol: found for symbol, found in ranges.items() if symbol != n}
-    if low == -oo or any(n in end.free_symbols for found in others.values() for end in ends(found)):
+    if not is_whole_form(low) or any(n in end.free_symbols for found in others.values() for end in ends(found)):
         raise Failure(f"no induction on {n}")
     return others, Integers(low, high - 1)
 

@@ -30,6 +30,7 @@ from sympy import (
 
 from bezteach.symbolic import B, E
 
+from ..indices import with_fresh_indices
 from ..inequalities.sign_of import Region, signs
 from .linear import is_whole_form, least
 from .terms import Failure
@@ -52,26 +53,6 @@ def check_defined(expr, conditions, ranges=None):
     bezteach.proof.terms.failure.Failure: t**(i - 1) has a negative exponent somewhere
     """
     _check(with_fresh_indices(expr), list(conditions), _reals(ranges or {}))
-
-
-def with_fresh_indices(expr):
-    """Every index of a sum a symbol of its own, so that it is never taken for a symbol outside of the same name.
-
-    >>> from bezteach.symbolic import i, n
-    >>> with_fresh_indices(Sum(i, (i, 0, i), (i, 1, n)))
-    Sum(_i, (_i, 0, _i), (_i, 1, n))
-    """
-    if not expr.has(Sum):
-        return expr
-    if not isinstance(expr, Sum):
-        return expr.func(*map(with_fresh_indices, expr.args))
-    function, inner, limits = with_fresh_indices(expr.function), list(expr.limits), []
-    while inner:  # from the outermost on; its ends are outside, and stay
-        index, *ends = inner.pop()
-        fresh = {index: Dummy(index.name, integer=True)}
-        function, inner = function.xreplace(fresh), [limit.xreplace(fresh) for limit in inner]
-        limits.insert(0, (fresh[index], *ends))
-    return Sum(function, *limits)
 
 
 def _reals(ranges):

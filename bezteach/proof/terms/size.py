@@ -36,17 +36,21 @@ def most_terms(expr):
     >>> most_terms((n + t + 1) ** 3), most_terms((n + 1) ** 3 * (n + 2) ** 3), most_terms(2**n * (n + t) ** 400)
     (10, 7, 401)
     """
-    if (highest := degree(expr)) is not None:
-        return min(comb(highest + len(expr.free_symbols), highest), MOST + 1)
-    if expr.is_Mul:
+    if expr.is_Mul and degree(expr) is None:
         plain = [part for part in expr.args if degree(part) is not None]
         count = most_terms(Mul(*plain)) * prod(most_terms(part) for part in expr.args if part not in plain)
+        return min(count, MOST + 1)
+    counts = [most_terms(part) for part in expr.args]
+    if expr.is_Add:
+        count = sum(counts)
+    elif expr.is_Mul:
+        count = prod(counts)
+    elif expr.is_Pow and expr.exp.is_Integer:
+        count = comb(abs(int(expr.exp)) + counts[0] - 1, counts[0] - 1)
     else:
-        counts = [most_terms(part) for part in expr.args]
-        count = sum(counts) if expr.is_Add else max(counts, default=1)
-        if expr.is_Pow and expr.exp.is_Integer:
-            count = comb(abs(int(expr.exp)) + count - 1, count - 1)
-    return min(count, MOST + 1)
+        count = max(counts, default=1)
+    highest, symbols = degree(expr), len(expr.free_symbols)
+    return min(count, MOST + 1, count if highest is None else comb(highest + symbols, highest))
 
 
 def cancelled(expr):

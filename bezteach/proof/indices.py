@@ -1,0 +1,53 @@
+"""The indices of sums and products: symbols of their own, of which nothing is assumed that their limits do not say."""
+
+from sympy import Dummy, Product, Sum, Symbol
+
+
+def with_indices(expr, letter):
+    """Each index of a sum or product replaced by ``letter(index, low, high)``, from the outermost on."""
+    if not expr.has(Sum, Product):
+        return expr
+    if not isinstance(expr, Sum | Product):
+        return expr.func(*[with_indices(part, letter) for part in expr.args])
+    function, inner, limits = with_indices(expr.function, letter), list(expr.limits), []
+    while inner:  # its ends are outside, and stay
+        index, *ends = inner.pop()
+        other = {index: letter(index, *ends)}
+        function, inner = function.xreplace(other), [limit.xreplace(other) for limit in inner]
+        limits.insert(0, (other[index], *ends))
+    return expr.func(function, *limits)
+
+
+def with_fresh_indices(expr):
+    """Every index a symbol of its own, so that it is never taken for a symbol outside of the same name.
+
+    >>> from bezteach.symbolic import i, n
+    >>> with_fresh_indices(Sum(i, (i, 0, i), (i, 1, n)))
+    Sum(_i, (_i, 0, _i), (_i, 1, n))
+    """
+    return with_indices(expr, lambda index, *ends: Dummy(index.name, integer=True))
+
+
+def with_true_indices(expr):
+    """No index is assumed to have a sign that its limits do not give it: SymPy goes by what is assumed.
+
+    >>> from bezteach.symbolic import k, n
+    >>> [sum.limits[0][0].is_nonnegative for sum in map(with_true_indices, (Sum(k, (k, 0, n)), Sum(k, (k, -1, n))))]
+    [True, None]
+    """
+    return with_indices(expr, lambda index, low, high: index if stays(index, low, high) else _integer(index))
+
+
+def stays(symbol, low, high):
+    """Whether all values from low to high have the sign that is assumed of a symbol."""
+    signs = (
+        (symbol.is_nonnegative, low.is_nonnegative),
+        (symbol.is_positive, low.is_positive),
+        (symbol.is_nonpositive, high.is_nonpositive),
+        (symbol.is_negative, high.is_negative),
+    )
+    return all(known or not assumed for assumed, known in signs)
+
+
+def _integer(index):
+    return Symbol(index.name, integer=True)

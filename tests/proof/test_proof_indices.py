@@ -1,0 +1,113 @@
+"""What SymPy assumes of an index holds in its sum: it goes by the assumption, whatever stands there."""
+
+import pytest
+from sympy import Derivative, Ge, Integral, Interval, Le, Mul, Product, Rational, Subs, Sum, Symbol, binomial, oo
+
+from bezteach import bench
+from bezteach.proof import prove, statement
+from bezteach.proof.derivations import check_derivation
+from bezteach.symbolic import B, i, k, n, t
+
+COUNTED, HALVED = Symbol("s"), Symbol("m")  # whole numbers by their use
+POSITIVE = Symbol("q", integer=True, positive=True)
+DELAY = Mul(*[i - place for place in range(9)])  # 0 in all that the refuter sees
+SQUARE, TO_14 = DELAY**2, Mul(*[i - place for place in range(15)])
+TELESCOPED = (-1) ** (k + 1) * binomial(2 * n - k - 1, n)
+FROM_BELOW = (1 + DELAY) * TELESCOPED * binomial(n + 1, k + 1) * (n - k) / (n + 1) - DELAY * TELESCOPED * binomial(
+    n, k + 1
+)
+
+
+@pytest.mark.parametrize(
+    ("claim", "given"),
+    [
+        pytest.param((Sum(FROM_BELOW, (k, -1, n - 1)), 1 + DELAY), {}, id="a first case of telescoping"),
+        pytest.param(
+            (Sum(FROM_BELOW.subs(k, POSITIVE - 1), (POSITIVE, 0, n)), 1 + DELAY), {}, id="an index declared positive"
+        ),
+        pytest.param(
+            (Ge(TO_14**2 * Sum((n - 5) ** (k + 1), (k, -1, i)) * (n - 6) + 2 * binomial(n, 6), 0, evaluate=False),),
+            {n: (5, oo)},
+            id="an edge of an inequality",
+        ),
+        pytest.param(
+            (
+                Le(
+                    SQUARE * Sum(binomial(HALVED, k + 1) * t ** (k + 1), (k, -1, HALVED - 1)) * (1 - t) ** HALVED,
+                    SQUARE * Sum(0, (k, -1, HALVED - 1)),
+                    evaluate=False,
+                ),
+            ),
+            {HALVED: (1, oo), t: Interval(-1, 1)},
+            id="a peak",
+        ),
+        pytest.param(
+            (Sum(1, (k, 0, 2 * COUNTED)), 2 * COUNTED + 1 + TO_14 * (1 + (-1) ** (2 * COUNTED))),
+            {COUNTED: (Rational(1, 2), oo)},
+            id="induction from 1/2",
+        ),
+        pytest.param(
+            (Sum(1, (k, 0, 2 * COUNTED)), 2 * COUNTED + 1 + TO_14 * ((-1) ** HALVED - (-1) ** (2 * COUNTED))),
+            {COUNTED: (HALVED / 2, oo)},
+            id="induction from m/2",
+        ),
+        pytest.param(
+            (
+                Sum(binomial(2 * COUNTED, k) ** 2, (k, 0, 2 * COUNTED)),
+                binomial(4 * COUNTED, 2 * COUNTED) * (1 + TO_14 * (1 + (-1) ** (2 * COUNTED))),
+            ),
+            {COUNTED: (Rational(1, 2), oo)},
+            id="telescoping from 1/2",
+        ),
+    ],
+)
+def test_what_is_false_far_away_is_not_proved(claim, given):
+    assert prove(*claim, given=given).status in ("CHECKED", "UNDECIDED")
+
+
+def test_a_derivation_does_not_start_between_whole_numbers():
+    lines = [Sum(1, (k, 0, 2 * COUNTED)), 2 * COUNTED + 1 + TO_14 * (1 + (-1) ** (2 * COUNTED))]
+    judged = check_derivation(lines, given={COUNTED: (Rational(1, 2), oo)})
+    assert "PROVED" not in {judged.lines[1].step.status, judged.lines[1].whole.status}
+
+
+@pytest.mark.parametrize("kind", [Sum, Product])
+def test_an_index_keeps_its_assumptions_only_where_its_limits_give_them(kind):
+    def index(low, high, symbol=k):
+        ((found, *_),) = statement(kind(symbol, (symbol, low, high)), n).lhs.limits
+        return found
+
+    assert index(0, n) == index(i, n) == k and index(1, n, POSITIVE) == POSITIVE
+    assert index(-1, n) == index(i - 1, n) == Symbol("k", integer=True)
+    assert index(0, n, POSITIVE) == Symbol("q", integer=True)
+
+
+def test_other_variables_may_not_leave_what_is_assumed_of_them():
+    x = Symbol("x", positive=True)
+    for claim in (Subs((n - 5) ** x, x, 0), Integral((n - 5) ** x, (x, 0, 1))):
+        verdict = prove(claim, 0, given={n: (5, oo)})
+        assert verdict.status == "INVALID" and verdict.note.endswith("x may go beyond what is assumed of it")
+    assert prove(Subs(t**k, t, 1), 1).status == "PROVED"
+
+
+@pytest.mark.parametrize(
+    ("text", "status"),
+    [
+        ("sum(0^(k+1), k, -1, n) = 0", "REFUTED"),
+        ("sum(0^(k+1), k, -1, n) = 1", "PROVED"),
+        ("sum(C(0,k+1), k, -1, n) = 0", "REFUTED"),
+        ("sum(0^(k+1), k, -1, n) - sum(0, k, -1, n) = 0", "REFUTED"),
+        (r"\sum_{k=-1}^{n} 0^{k+1} = 0", "REFUTED"),
+        ("sum(B(k,n,t), k, -1, n+1) = 1", "PROVED"),
+        ("sum(0^(k+1) * sum(0^(j+2), j, -2, k), k, -1, n) = 0", "REFUTED"),
+    ],
+)
+def test_a_sum_in_a_text_may_begin_below_0(text, status):
+    assert bench.judge(text).status == status
+
+
+def test_what_sympy_refuses_breaks_nothing():
+    """Where i is put in, a derivative inside an empty sum has the order -1, and SymPy raises."""
+    assert bench.judge("sum(diff(t^k,t,i-1),k,0,i-2)=0", "i>=0").status == "CHECKED"
+    assert prove(Sum(Derivative(t**k, (t, i - 1)), (k, 0, i - 2)), 0).status == "CHECKED"
+    assert prove(Sum(B(k, n, t), (k, 0, n)), 1).status == "PROVED"
