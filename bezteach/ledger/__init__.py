@@ -50,9 +50,20 @@ def _judged(id):
     return judged(CLAIMS[id], lambda other: other in CLAIMS and _judged(other).settled)
 
 
-def show(id):
-    """A claim with its places in the sources, its verdict and the steps of its proof, to look at in a notebook."""
-    return shown(judge(id), places(id))
+def show(id, *, steps=True):
+    """A claim with its places in the sources, its verdict and the steps of its proof, to look at in a notebook.
+
+    Without ``steps`` only what it says, where, and its verdict.
+
+    >>> show("basis/symmetry", steps=False)
+    basis/symmetry: the i-th from the left is the mirror image of the i-th from the right
+      deck, 1.2, basis property 3, symmetry
+      games, properties, symmetry
+      notes, 2.3.1, symmetry
+      B(i, n, t) = B(-i + n, n, 1 - t)   for 0 <= i <= n
+    PROVED (ratio of terms)
+    """
+    return shown(judge(id), places(id), steps)
 
 
 def proof(id):

@@ -22,12 +22,12 @@ def proof(judged):
     return Derivation(verdict.steps)
 
 
-def shown(judged, places):
-    """The claim with its places, its verdict, the lines of its proof and its refuted neighbours, to look at."""
-    return Page("\n".join(_text(judged, places)), "\n\n".join(_markdown(judged, places)))
+def shown(judged, places, steps=True):
+    """The claim with its places and its verdict, and with the lines of its proof and its refuted neighbours."""
+    return Page("\n".join(_text(judged, places, steps)), "\n\n".join(_markdown(judged, places, steps)))
 
 
-def _text(judged, places):
+def _text(judged, places, steps):
     claim = judged.claim
     yield f"{claim.id}: {claim.title}"
     yield from (f"  {source}, {place}" for source, place in places)
@@ -39,12 +39,14 @@ def _text(judged, places):
         return
     yield f"  {plain(claim.statement, given=claim.given)}"
     yield f"{judged.status} ({judged.method})"
+    if not steps:
+        return
     yield from (f"  {step!r}" for step in (proof(judged) if judged.settled else [judged.verdict]))
     for twin in judged.twins:
         yield f"not so: {plain(twin.statement)}  ({twin.verdict.counterexample})"
 
 
-def _markdown(judged, places):
+def _markdown(judged, places, steps):
     claim = judged.claim
     where = "; ".join(f"{source}, {place}" for source, place in places)
     yield f"**{escaped(claim.title)}**" + f" ({escaped(where)})" * bool(where)
@@ -56,6 +58,8 @@ def _markdown(judged, places):
         return
     yield formula(claim.statement, claim.given)
     yield f"**{judged.status}**: {escaped(judged.method)}"
+    if not steps:
+        return
     if judged.settled:
         yield proof(judged)._repr_latex_()
     for twin in judged.twins:

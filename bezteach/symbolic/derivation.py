@@ -4,6 +4,7 @@ from functools import wraps
 from typing import NamedTuple
 
 from sympy import Expr, Function, Symbol, expand
+from sympy.core.relational import Relational
 
 from .printing import in_words, latex
 
@@ -13,7 +14,7 @@ p = Function("p")
 class Step(NamedTuple):
     """One line: an expression, why it follows, and, where a new chain of equalities begins, what it is equal to.
 
-    The expression may be a relation too, which stands for itself.
+    The expression may be a matrix, or a relation, which stands for itself.
     """
 
     expression: Expr
@@ -22,7 +23,7 @@ class Step(NamedTuple):
 
     def latex(self, align=""):
         """The line without its reason; ``align`` stands before the sign of equality."""
-        sign = "" if self.expression.is_Relational else "= "
+        sign = "" if isinstance(self.expression, Relational) else "= "
         left = "" if self.left is None else latex(self.left) + " "
         return f"{left}{align}{sign}{latex(self.expression)}"
 
@@ -30,7 +31,7 @@ class Step(NamedTuple):
         return rf"$\displaystyle {self.latex()}$"
 
     def __repr__(self):
-        sign = "" if self.expression.is_Relational else "= "
+        sign = "" if isinstance(self.expression, Relational) else "= "
         return f"{'' if self.left is None else f'{self.left} '}{sign}{self.expression}    ({self.reason})"
 
 

@@ -133,6 +133,9 @@ def test_a_claim_is_shown_with_its_place_its_proof_and_its_neighbours():
     assert text.startswith("basis/unity: ") and "deck, " in text
     assert "PROVED (binomial theorem)" in text and "not so: Sum(B(i, n, t), (i, 1, n)) = 1  (n = 0" in text
     assert r"\sum_{i=0}^{n} B_{i,n}" in ledger.show("basis/unity")._repr_markdown_()
+    brief = ledger.show("basis/unity", steps=False)
+    assert repr(brief) == text[: text.index("\n", text.index("PROVED"))]
+    assert r"\sum_{i=0}^{n} B_{i,n}" in brief._repr_markdown_() and "aligned" not in brief._repr_markdown_()
 
 
 def test_an_argument_is_shown_with_what_is_checked():

@@ -176,3 +176,9 @@ def test_a_notebook_shows_aligned_lines_with_reasons():
     assert r"\left[\left(1 - t\right) + t E\right]^{j} {b}_{0}" in shown
     assert repr(steps).splitlines()[-1] == "= Sum(B(i, j, t)*b[i], (i, 0, j))    (expanded in E)"
     assert steps[-1]._repr_latex_() == r"$\displaystyle = \sum_{i=0}^{j} B_{i,j}(t) {b}_{i}$"
+
+
+def test_a_derivation_may_end_in_a_matrix():
+    steps = symbolic.basis_matrix.steps(2)
+    assert repr(steps).splitlines()[-1].startswith("M = Matrix([[1, 0, 0], [-2, 2, 0], [1, -2, 1]])    (row k holds")
+    assert r"M &= \left[\begin{matrix}1 & 0 & 0\\-2" in steps._repr_latex_()
