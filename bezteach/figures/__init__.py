@@ -5,6 +5,8 @@ of two numbers, exact or not. ``show`` puts a figure into a notebook as PNG and 
 """
 
 from .curves import halving, loci, segment, split, triangle
+from .derivatives import hodograph
+from .errors import error_growth, lower_curves
 from .functions import areas, basis, decay, graph, graphs, stacked
 from .scene import drawn
 from .style import show
@@ -14,10 +16,13 @@ __all__ = [
     "basis",
     "decay",
     "drawn",
+    "error_growth",
     "graph",
     "graphs",
     "halving",
+    "hodograph",
     "loci",
+    "lower_curves",
     "segment",
     "show",
     "split",

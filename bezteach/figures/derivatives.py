@@ -1,0 +1,107 @@
+"""The curve with its velocity arrows, and beside it the plane of the vectors, in which the hodograph lives."""
+
+from fractions import Fraction
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.figure import Figure
+
+from .. import numeric
+from ..display import number, point
+from ..palette import FIRST, INK, QUIET, SECOND
+from .style import SAMPLES, STYLE
+
+PLACES = (Fraction(0), Fraction(1, 3), Fraction(2, 3), Fraction(1))
+
+
+@mpl.rc_context(STYLE)
+def hodograph(points, places=PLACES):
+    """Left the curve with p'(t) / n at some places; right the p'(t) from one origin, their tips on the hodograph.
+
+    The arrows on the left have an n-th of their length, so that those at the ends are the edges of the polygon.
+    Source: deck, 2.2, hodograph: the difference vectors moved to the origin.
+    """
+    n = len(points) - 1
+    edges = numeric.hodograph(points)
+    starts = [numeric.evaluate(points, t) for t in places]
+    arrows = [numeric.derivative(points, t) for t in places]
+    figure = Figure(figsize=(10.4, 5.4), layout="constrained")
+    plane, vectors = figure.subplots(1, 2)
+    tips = list(np.asarray(starts, dtype=float) + np.asarray(arrows, dtype=float) / n)
+    _polygon(plane, points)
+    _curve(plane, points, FIRST, "-")
+    _arrows(plane, starts, tips)
+    _labels(plane, points, places, side=1)
+    plane.set_title(f"the curve at some t, with p'(t) / {n}")
+    for at in (vectors.axhline, vectors.axvline):
+        at(0, color=QUIET, linewidth=1, zorder=0.5)
+    _polygon(vectors, edges)
+    _curve(vectors, edges, SECOND, "--")
+    origin = np.zeros(2)
+    _arrows(vectors, [origin] * len(arrows), arrows)
+    vectors.plot(0, 0, marker="o", color=INK, markersize=7)
+    _labels(vectors, edges, places, side=-1)
+    vectors.set_title("the hodograph at the same t, with p'(t)")
+    for axes, shown in ((plane, [*points, *tips]), (vectors, [*edges, origin])):
+        _frame(axes, shown)
+    said = ", ".join(f"{point(arrow)} at t = {number(t)}" for t, arrow in _pairs(places, arrows))
+    figure.set_label(
+        f"Left a curve of degree {n} with its velocity arrows, drawn with 1/{n} of their length. Right the same arrows "
+        f"from one origin: {said}. Their tips lie on the hodograph, whose control points are "
+        f"{', '.join(map(point, edges))}."
+    )
+    return figure
+
+
+def _pairs(one, other):
+    return zip(one, other, strict=True)
+
+
+def _polygon(axes, points):
+    x, y = np.asarray(points, dtype=float).T
+    axes.plot(x, y, ":", color=QUIET, linewidth=1.6, marker="s", markersize=8, markerfacecolor="white")
+
+
+def _curve(axes, points, colour, dash):
+    x, y = numeric.sample(np.asarray(points, dtype=float), SAMPLES).T
+    axes.plot(x, y, color=colour, linestyle=dash, linewidth=3.5, zorder=1.9)
+
+
+def _arrows(axes, starts, tips):
+    for start, tip in _pairs(starts, tips):
+        start, tip = np.asarray(start, dtype=float), np.asarray(tip, dtype=float)
+        if np.allclose(start, tip):
+            axes.plot(*start, marker="o", color=INK, markersize=9)
+            continue
+        arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.8, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 18}
+        axes.annotate("", tip, start, arrowprops=arrow)
+
+
+def _labels(axes, points, places, side):
+    """Write each t, the number alone, beside its point: where the curve bends to (1), or on the other side (-1)."""
+    for t in places:
+        place, first, second = (
+            np.asarray(value, dtype=float)
+            for value in (numeric.evaluate(points, t), *(numeric.derivative(points, t, r) for r in (1, 2)))
+        )
+        turn = first[0] * second[1] - first[1] * second[0]
+        away = side * np.sign(turn) * np.array([-first[1], first[0]])
+        away = away / np.hypot(*away) if away.any() else np.array([0.0, 1.0])
+        axes.annotate(
+            number(t),
+            place,
+            xytext=13 * away,
+            textcoords="offset points",
+            ha="center" if abs(away[0]) < 0.35 else "left" if away[0] > 0 else "right",
+            va="center" if abs(away[1]) < 0.35 else "bottom" if away[1] > 0 else "top",
+            bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
+        )
+
+
+def _frame(axes, points):
+    """Equal scales, with room for the labels around the points."""
+    places = np.asarray(points, dtype=float)
+    low, high = places.min(axis=0), places.max(axis=0)
+    room = np.array([0.26, 0.18]) * max(high - low)
+    (left, bottom), (right, top) = low - room, high + room
+    axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
