@@ -157,5 +157,5 @@ def lines(expressions):
 
     rows = [(number, " " if number == 1 else "=", line) for number, line in enumerate(expressions, 1)]
     text = "\n".join(f"{number}. {sign} {line}" for number, sign, line in rows)
-    body = r" \\[1ex] ".join(rf"{number}. && {sign} {latex(line)}" for number, sign, line in rows)
+    body = r" \\[1ex] ".join(rf"{number}. & \quad {sign} {latex(line)}" for number, sign, line in rows)
     return Exact(text, rf"\begin{{aligned}} {body} \end{{aligned}}")

@@ -56,5 +56,6 @@ def test_formula_names_what_it_shows():
 
 def test_lines_are_numbered_and_equal_from_the_second_on():
     assert display.lines([t * (1 - t), t - t**2])._repr_latex_() == (
-        r"$\displaystyle \begin{aligned} 1. &&   t \left(1 - t\right) \\[1ex] 2. && = t - t^{2} \end{aligned}$"
+        r"$\displaystyle \begin{aligned} 1. & \quad   t \left(1 - t\right) "
+        r"\\[1ex] 2. & \quad = t - t^{2} \end{aligned}$"
     )

@@ -47,7 +47,7 @@ QUESTIONS = {
         "no, only B₀ and B₃ reach 1",
     ),
     "basis/sum-outside": Choice(
-        "What is the sum of all B_{i,3}(t) at t = 2?",
+        "What is the sum of all Bᵢ,₃(t) at t = 2?",
         {
             "1": "Yes: the sum is 1 for every t. What ends outside [0, 1] is that none is negative.",
             "less than 1": "Multiply ((1 - t) + t) out at t = 2: nothing in it asks where t lies.",
@@ -56,16 +56,16 @@ QUESTIONS = {
         "1",
     ),
     "basis/mirror": Choice(
-        "Which function is the mirror image of B_{1,4}, with 0 and 1 exchanged?",
+        "Which function is the mirror image of B₁,₄, with 0 and 1 exchanged?",
         {
-            "B_{1,4} itself": "Its peak is at 1/4; where is the mirror image's?",
-            "B_{3,4}": "Yes: exchanging t and 1 - t exchanges the exponents 1 and 3.",
-            "B_{4,1}": "The degree stays 4.",
+            "B₁,₄ itself": "Its peak is at 1/4; where is the mirror image's?",
+            "B₃,₄": "Yes: exchanging t and 1 - t exchanges the exponents 1 and 3.",
+            "B₄,₁": "The degree stays 4.",
         },
-        "B_{3,4}",
+        "B₃,₄",
     ),
     "basis/peak": Choice(
-        "Where is B_{2,5} greatest on [0, 1]?",
+        "Where is B₂,₅ greatest on [0, 1]?",
         {
             "at 1/2": "Only a function in the middle peaks there, and degree 5 has none.",
             "at 2/5": "Yes: at i/n.",
@@ -75,7 +75,7 @@ QUESTIONS = {
         "at 2/5",
     ),
     "basis/derivative-degree": Choice(
-        "The derivative of B_{1,3} is a combination of two Bernstein functions. Of which degree, and with which "
+        "The derivative of B₁,₃ is a combination of two Bernstein functions. Of which degree, and with which "
         "factor in front?",
         {
             "degree 2, factor 3": "Yes: n times a difference of two functions of degree n - 1.",
@@ -112,7 +112,7 @@ QUESTIONS = {
         "only B₀",
     ),
     "basis/recursion-weights": Choice(
-        "At t = 1/4 you know B_{2,4} and B_{1,4}. With which weights do they make B_{2,5}?",
+        "At t = 1/4 you know B₂,₄ and B₁,₄. With which weights do they make B₂,₅?",
         {
             "3/4 and 1/4": "Yes: the last throw is tails with probability 1 - t, and then there were 2 heads before.",
             "1/4 and 3/4": "If you had 2 heads before, the last throw must be tails. How likely is that?",
@@ -121,19 +121,19 @@ QUESTIONS = {
         "3/4 and 1/4",
     ),
     "basis/elevation-multiple": Choice(
-        "t B_{1,1}(t) is t². Which multiple of which quadratic function is it?",
+        "t B₁,₁(t) is t². Which multiple of which quadratic function is it?",
         {
-            "1/2 of B_{1,2}": "B_{1,2} is 2t(1 - t): it vanishes at t = 1, and t² does not.",
-            "B_{2,2} itself": "Yes: (i + 1)/(n + 1) = 2/2, and the index has grown with the degree.",
-            "2/3 of B_{2,2}": "B_{2,2}(1) = 1. What is t² there?",
+            "1/2 of B₁,₂": "B₁,₂ is 2t(1 - t): it vanishes at t = 1, and t² does not.",
+            "B₂,₂ itself": "Yes: (i + 1)/(n + 1) = 2/2, and the index has grown with the degree.",
+            "2/3 of B₂,₂": "B₂,₂(1) = 1. What is t² there?",
         },
-        "B_{2,2} itself",
+        "B₂,₂ itself",
     ),
     "basis/part-coefficient": Choice(
-        "B_{2,2}(t) = t². On the part up to t = 1/2, in terms of u = 2t, which multiple of B_{2,2}(u) is it?",
+        "B₂,₂(t) = t². On the part up to t = 1/2, in terms of u = 2t, which multiple of B₂,₂(u) is it?",
         {
             "1/2": "t is u/2. What is t²?",
-            "1/4": "Yes: t² = u²/4, and 1/4 is B_{2,2} at the place of the cut.",
+            "1/4": "Yes: t² = u²/4, and 1/4 is B₂,₂ at the place of the cut.",
             "1": "At u = 1 the function has the value that t² has at t = 1/2.",
         },
         "1/4",
@@ -157,13 +157,13 @@ QUESTIONS = {
         "all are 0",
     ),
     "basis/exercise-values": Entry(
-        "Exercise 1. The values B_{0,3}, B_{1,3}, B_{2,3}, B_{3,3} at t = 1/3:",
+        "Exercise 1. The values B₀,₃, B₁,₃, B₂,₃, B₃,₃ at t = 1/3:",
         lambda: bernstein(3, F(1, 3)),
         _at_a_third,
         "(1/2, 1/4, 1/8, 1/8)",
     ),
     "basis/exercise-peak": Entry(
-        "Exercise 2. The greatest value of B_{1,4} on [0, 1]:",
+        "Exercise 2. The greatest value of B₁,₄ on [0, 1]:",
         lambda: bernstein(4, F(1, 4))[1],
         lambda: [
             (F(1, 4), "That is where it is greatest. How great is it there?"),
@@ -173,7 +173,7 @@ QUESTIONS = {
         "1/2",
     ),
     "basis/exercise-recursion": Entry(
-        "Exercise 3. At t = 1/4, B_{1,4} = 27/64 and B_{0,4} = 81/256. Find B_{1,5} there by the recursion:",
+        "Exercise 3. At t = 1/4, B₁,₄ = 27/64 and B₀,₄ = 81/256. Find B₁,₅ there by the recursion:",
         lambda: bernstein(5, F(1, 4))[1],
         lambda: [
             (
@@ -185,7 +185,7 @@ QUESTIONS = {
         "1/2",
     ),
     "basis/exercise-integral": Entry(
-        "Exercise 4. The integral of B_{2,7} over [0, 1]:",
+        "Exercise 4. The integral of B₂,₇ over [0, 1]:",
         lambda: F(1, 8),
         lambda: [
             (F(1, 7), "There are n + 1 functions to share the area 1."),
@@ -194,7 +194,7 @@ QUESTIONS = {
         "1/2",
     ),
     "basis/exercise-coefficients": Entry(
-        "Exercise 5. Write t² as a combination of B_{0,3}, B_{1,3}, B_{2,3}, B_{3,3}; its four coefficients:",
+        "Exercise 5. Write t² as a combination of B₀,₃, B₁,₃, B₂,₃, B₃,₃; its four coefficients:",
         lambda: from_power([0, 0, 1, 0]),
         lambda: [
             ((0, 0, 1, 0), "These are its coefficients in the power basis. At t = 1 they would give 0."),
@@ -207,7 +207,7 @@ QUESTIONS = {
         "(1, 0, 1/2, 1)",
     ),
     "basis/exercise-part": Entry(
-        "Exercise 6. B_{2,2}(t) = t², for t up to 1/2 only, in terms of u = 2t. Its coefficients in the Bernstein "
+        "Exercise 6. B₂,₂(t) = t², for t up to 1/2 only, in terms of u = 2t. Its coefficients in the Bernstein "
         "basis of u, B₀ first:",
         lambda: segment([0, 0, 1], 0, F(1, 2)),
         lambda: [

@@ -48,13 +48,13 @@ QUESTIONS = {
         "1 : 3",
     ),
     "casteljau/before-recursion": Choice(
-        "The recursion of the Bernstein functions: which mixture is B_{1,3}?",
+        "The recursion of the Bernstein functions: which mixture is B₁,₃?",
         {
-            "(1 - t) B_{1,2} + t B_{0,2}": "Yes: t raises the index by one, 1 - t leaves it.",
-            "t B_{1,2} + (1 - t) B_{0,2}": "Test it near t = 0: B_{0,2} is nearly 1 there, and B_{1,3} nearly 0.",
-            "B_{1,2} + B_{0,2}": "At t = 0 this is 1, and the degree has not risen.",
+            "(1 - t) B₁,₂ + t B₀,₂": "Yes: t raises the index by one, 1 - t leaves it.",
+            "t B₁,₂ + (1 - t) B₀,₂": "Test it near t = 0: B₀,₂ is nearly 1 there, and B₁,₃ nearly 0.",
+            "B₁,₂ + B₀,₂": "At t = 0 this is 1, and the degree has not risen.",
         },
-        "(1 - t) B_{1,2} + t B_{0,2}",
+        "(1 - t) B₁,₂ + t B₀,₂",
     ),
     "casteljau/touch": Choice(
         "The straight line through the two points of level 1: how does it meet the parabola?",

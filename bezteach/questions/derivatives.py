@@ -64,13 +64,13 @@ def _second_from_triangle():
 
 QUESTIONS = {
     "derivatives/before-basis": Choice(
-        "What is the derivative of the Bernstein function B_{1,3}?",
+        "What is the derivative of the Bernstein function B₁,₃?",
         {
-            "3 (B_{0,2} - B_{1,2})": "Yes: n times the left neighbour minus the right one, one degree lower.",
-            "3 (B_{1,2} - B_{0,2})": "At t = 0 the function B_{1,3} rises. Which sign has this at t = 0?",
-            "B_{0,2} - B_{1,2}": "At t = 0 this is 1. How steeply does 3t(1 - t)² begin?",
+            "3 (B₀,₂ - B₁,₂)": "Yes: n times the left neighbour minus the right one, one degree lower.",
+            "3 (B₁,₂ - B₀,₂)": "At t = 0 the function B₁,₃ rises. Which sign has this at t = 0?",
+            "B₀,₂ - B₁,₂": "At t = 0 this is 1. How steeply does 3t(1 - t)² begin?",
         },
-        "3 (B_{0,2} - B_{1,2})",
+        "3 (B₀,₂ - B₁,₂)",
     ),
     "derivatives/before-difference": Choice(
         "Which operator takes b₁ to b₃ - b₂?",
@@ -104,7 +104,7 @@ QUESTIONS = {
         {
             "the first sum loses a term": "Write both sums out for n = 2: they have the same terms.",
             "j is renamed: j + 1 in the place of j": "Yes: now both sums have the same functions and can be joined.",
-            "b_{j+1} = b_j is used": "That would make all control points one.",
+            "bⱼ₊₁ = bⱼ is used": "That would make all control points one.",
         },
         "j is renamed: j + 1 in the place of j",
     ),
