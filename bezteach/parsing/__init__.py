@@ -11,6 +11,7 @@ The language:
 numbers     12, 0.25 (exactly 1/4), 1/3; no 2e3. Signs + - * / ^ (or **), and ! after a number, letter or bracket.
 brackets    ( ) [ ] { } group. A comma in ( ) or [ ] makes a point or list, a Python tuple: (1/3, 1), [(0, 0), (1, 2)].
 letters     i j k l m n p q r are whole numbers from 0 on, a c h s t u v w x y z real numbers, E the shift operator.
+            The letter of a sum that may begin below 0 is any whole number, wherever it stands in the text.
 products    without a sign where nobody can take it for something else: 2t, 2(1-t), n!(1-t), t E, tE, n(n-1), nB(i,n,t).
             An error instead of a guess: t2, 2 3, nt (write n*t), 1/2t, p(t), x(1-t).
 points      b[0], b[i+1], b_0, b_{i+1}, b0, b₀; likewise a, c, x, y, z with [ ] or _ (coefficients, coordinates).
