@@ -2,7 +2,7 @@
 
 import re
 
-from .parsing import InvalidAnswer, parse, parse_given
+from .parsing import InvalidAnswer, parse, parse_given, without_sign
 from .proof import check_derivation, prove
 
 EXAMPLE = "t*B(i,n,t) = (i+1)/(n+1)*B(i+1,n+1,t)"
@@ -25,11 +25,19 @@ def judge(text, given=""):
     bezteach.parsing.errors.InvalidAnswer: this is no statement: write an equation or inequality, such as \
 t*B(i,n,t) = (i+1)/(n+1)*B(i+1,n+1,t)
     """
-    ranges = parse_given(given) if given.strip() else None
     lines = [(number, line) for number, line in enumerate(text.splitlines(), 1) if line.strip()]
     if len(lines) < 2:
-        return prove(_statement(text.strip()), given=ranges)
-    return check_derivation([_line(number, line) for number, line in lines], given=ranges)
+        integers = without_sign(text.strip())
+        return prove(_statement(text.strip()), given=_ranges(given, integers))
+    formulas = [(number, _without_equals_sign(line)) for number, line in lines]
+    integers = frozenset().union(*(_in_line(number, without_sign, line) for number, line in formulas))
+    return check_derivation(
+        [_formula(number, line, integers) for number, line in formulas], given=_ranges(given, integers)
+    )
+
+
+def _ranges(given, integers):
+    return parse_given(given, integers) if given.strip() else None
 
 
 def _statement(text):
@@ -41,14 +49,21 @@ def _statement(text):
     return statement
 
 
-def _line(number, line):
-    """The expression in a line; the equals sign in front becomes a space, so that places stay as they are."""
-    if sign := re.match(r"\s*==?", line):
-        line = " " * sign.end() + line[sign.end() :]
+def _without_equals_sign(line):
+    """A line with the equals sign in front made a space, so that places stay as they are."""
+    sign = re.match(r"\s*==?", line)
+    return " " * sign.end() + line[sign.end() :] if sign else line
+
+
+def _in_line(number, read, *arguments):
     try:
-        expression = parse(line)
+        return read(*arguments)
     except InvalidAnswer as error:
         raise InvalidAnswer(f"line {number}, {error}") from None
+
+
+def _formula(number, line, integers):
+    expression = _in_line(number, parse, line, integers)
     if isinstance(expression, tuple) or expression.is_Relational:
         raise InvalidAnswer(f"line {number} is no formula: in a derivation each line is one, equal to the one before")
     return expression

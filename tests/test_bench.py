@@ -73,3 +73,22 @@ def test_a_line_of_a_derivation_may_begin_with_either_equals_sign():
 def test_several_statements_at_once_are_told_apart(text, said):
     with pytest.raises(InvalidAnswer, match=said):
         judge(text)
+
+
+@pytest.mark.parametrize(
+    ("text", "given"),
+    [
+        ("sum(B(k,n,t), k, -1, n)\nsum(B(k,n,t), k, 0, n)\n1", ""),
+        ("sum(B(k,n,t), k, j-1, n)\n= sum(B(k,n,t), k, j, n) + B(j-1,n,t)", "1 <= j <= n"),
+        ("k + sum(B(k,n,t), k, -1, n)\nk + 1", "k >= 1"),
+        ("k + sum(0^(k+1), k, -1, n) = k + 1", "k >= 2"),
+    ],
+)
+def test_one_letter_is_one_symbol_in_all_lines_and_ranges(text, given):
+    """A sum that begins below 0 in one of them has a letter without a sign, and the others have the same one."""
+    assert judge(text, given).status == "PROVED"
+
+
+def test_a_line_that_cannot_be_read_is_named_also_beside_a_sum_from_below_0():
+    with pytest.raises(InvalidAnswer, match=r"line 2, character 10"):
+        judge("sum(B(k,n,t), k, -1, n)\n= 1 + (t))")

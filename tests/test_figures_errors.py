@@ -38,7 +38,10 @@ def test_multiplications_by_formula(n):
 def test_worst_is_0_for_a_way_without_error_and_known_for_a_wrong_one():
     assert errors.worst(lambda heights, t: [0] * len(t), [0, 1], parameters=(0.0, 1.0)) == (1, 1)
     assert errors.worst(errors.casteljau, [1, 2, 3], "line", (0.0, 0.5, 1.0)) == (0, 0, 0)
-    late = lambda heights, t: errors.casteljau(heights, t) + 0.25  # noqa: E731
+
+    def late(heights, t):
+        return errors.casteljau(heights, t) + 0.25
+
     assert errors.worst(late, [4], "line", (0.0, 0.5, 1.0)) == (1 / 16,)
 
 

@@ -11,7 +11,7 @@ The language:
 numbers     12, 0.25 (exactly 1/4), 1/3; no 2e3. Signs + - * / ^ (or **), and ! after a number, letter or bracket.
 brackets    ( ) [ ] { } group. A comma in ( ) or [ ] makes a point or list, a Python tuple: (1/3, 1), [(0, 0), (1, 2)].
 letters     i j k l m n p q r are whole numbers from 0 on, a c h s t u v w x y z real numbers, E the shift operator.
-            The letter of a sum that may begin below 0 is any whole number, wherever it stands in the text.
+            Of the letter of a sum that may begin below 0 no sign is assumed, wherever it stands (``without_sign``).
 products    without a sign where nobody can take it for something else: 2t, 2(1-t), n!(1-t), t E, tE, n(n-1), nB(i,n,t).
             An error instead of a guess: t2, 2 3, nt (write n*t), 1/2t, p(t), x(1-t).
 points      b[0], b[i+1], b_0, b_{i+1}, b0, b₀; likewise a, c, x, y, z with [ ] or _ (coefficients, coordinates).
@@ -32,21 +32,23 @@ letters; powers multiply up to degree 400, numbers to 4000 digits; three sums in
 one another, of letters, points and numbers to 12 digits.
 """
 
+from functools import partial
+
 from sympy import I, nan, oo, zoo
 
 from .characters import tokens_of
 from .errors import BelowZero, InvalidAnswer
 from .given import ranges
 from .grammar import Grammar
-from .names import INTEGERS, LETTERS
 
-__all__ = ["InvalidAnswer", "parse", "parse_given"]
+__all__ = ["InvalidAnswer", "parse", "parse_given", "without_sign"]
 
 
-def parse(text):
+def parse(text, integers=frozenset()):
     """The SymPy expression or relation that a text is, or the tuple of them; the language is described above.
 
     ``InvalidAnswer``, a ``ValueError``, says what is wrong and at which character, counted from 1 (``position``).
+    ``integers`` names letters of whole numbers of which no sign is assumed either, for texts that belong together.
 
     >>> parse("C(n,i) t^i (1-t)^(n-i)"), parse(r"\\frac{1}{3}(E - 1) b_0")
     (t**i*(1 - t)**(-i + n)*binomial(n, i), (E/3 - 1/3)*b[0])
@@ -56,15 +58,24 @@ def parse(text):
     Traceback (most recent call last):
     bezteach.parsing.errors.InvalidAnswer: character 5: an exponent is too large: numbers up to 200 are read here
     """
-    return _within_bounds(_statements, text)
+    return _within_bounds(partial(_read, integers=integers), text)[0]
 
 
-def parse_given(text):
+def without_sign(text):
+    """The names of the letters of a text of which no sign is assumed: SymPy would go by it in sums from below 0 on.
+
+    >>> sorted(without_sign("sum(0^(k+1), k, -1, n) = sum(1, j, 0, n)"))
+    ['k']
+    """
+    return _within_bounds(_read, text)[1]
+
+
+def parse_given(text, integers=frozenset()):
     """The ranges of letters, as ``proof.prove`` takes them: a pair for a whole number, an Interval for a real one.
 
     Ranges stand apart by commas or "and". A limit is a number or, for a whole number, a short formula in others; limits
     of one letter may be given in several places. A letter of a whole number is never below 0. Of two letters, n >= i
-    gives the range of the left one.
+    gives the range of the left one. ``integers`` is what ``parse`` was given.
 
     >>> parse_given("n >= 1, 0 <= i <= n, 0 < t <= 1")
     {n: (1, oo), i: (0, n), t: Interval.Lopen(0, 1)}
@@ -72,19 +83,18 @@ def parse_given(text):
     Traceback (most recent call last):
     bezteach.parsing.errors.InvalidAnswer: character 16: no n is in this range: write the lower limit first
     """
-    return _within_bounds(ranges, text)
+    return _within_bounds(partial(ranges, integers=integers), text)
 
 
-def _statements(tokens, letters=LETTERS):
-    grammar = Grammar(tokens)
-    grammar.letters = letters
+def _read(tokens, integers=frozenset()):
+    """What the tokens say, and the letters without a sign."""
     try:
-        values = grammar.statements()
+        values = Grammar(tokens, integers).statements()
     except BelowZero as found:
-        return _statements(tokens, {**letters, found.name: INTEGERS[found.name]})
+        return _read(tokens, integers | {found.name})
     if any(value.has(nan, zoo, oo, I) for value in _flat(values)):
         raise InvalidAnswer("this is not a real number: look for a division by zero or a root of a negative one", 1)
-    return values
+    return values, integers
 
 
 def _flat(values):

@@ -4,17 +4,17 @@ from sympy import Integer, Interval, Rational, oo
 
 from .errors import InvalidAnswer
 from .grammar import Grammar
-from .names import LETTERS, WHOLE
+from .names import INTEGERS, LETTERS, WHOLE
 from .nodes import MAX_FACTORIAL, whole_formula
 
-_LETTERS = frozenset(LETTERS.values()) - {LETTERS["E"]}
+_LETTERS = frozenset([*LETTERS.values(), *INTEGERS.values()]) - {LETTERS["E"]}
 _TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "=": "="}
 
 
-def ranges(tokens):
-    """The dictionary of ranges that the tokens of inequalities give."""
+def ranges(tokens, integers=frozenset()):
+    """The dictionary of ranges that the tokens of inequalities give; ``integers`` names letters without a sign."""
     commas = [t._replace(kind="sign", text=",") if t.kind == "name" and t.text == "and" else t for t in tokens]
-    grammar = Grammar(commas)
+    grammar = Grammar(commas, integers)
     chains = grammar.items(grammar.chain, "end")
     grammar.end()
     limits = {}

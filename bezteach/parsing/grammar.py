@@ -14,7 +14,7 @@ from sympy import Rational
 from . import latex
 from .calls import call
 from .errors import InvalidAnswer
-from .names import FUNCTIONS, LETTERS, POINTS, about, short
+from .names import FUNCTIONS, INTEGERS, LETTERS, POINTS, about, short
 from .nodes import Item, bounded, calculate, expression, factorial_of, negative, number, point, power, relation
 from .reader import CLOSING, RELATIONS, Reader
 
@@ -22,10 +22,13 @@ CURVES = "pxyz"  # letters that also name a curve or its coordinates, so that p(
 
 
 class Grammar(Reader):
-    """The rules, each of which reads its tokens and gives their value."""
+    """The rules, each of which reads its tokens and gives their value; ``integers`` names letters without a sign."""
 
-    letters = LETTERS
     bare = None  # the letter or point that was read last, if it has neither ! nor a power
+
+    def __init__(self, tokens, integers=frozenset()):
+        super().__init__(tokens)
+        self.letters = LETTERS | {name: INTEGERS[name] for name in integers}
 
     def statements(self):
         """One statement, or the tuple of those that commas separate."""
