@@ -178,3 +178,27 @@ def test_what_lies_together_differs_in_greyscale(colours):
         sum(w * int(c[i : i + 2], 16) for w, i in zip((0.299, 0.587, 0.114), (1, 3, 5), strict=True)) for c in colours
     )
     assert abs(one - other) > 40
+
+
+def test_error_growth_draws_what_was_measured_and_says_the_last():
+    found = {"power basis, Horner": (0.0, 1e-9, 2e3), "de Casteljau": (1e-16, 2e-16, 3e-16)}
+    figure = figures.error_growth([1, 2, 3], found)
+    (axes,) = figure.axes
+    horner, casteljau = (line for line in axes.get_lines() if len(line.get_ydata()) == 3)
+    assert list(horner.get_ydata())[1:] == [1e-9, 2e3] and horner.get_ydata()[0] > 0
+    assert list(casteljau.get_ydata()) == [1e-16, 2e-16, 3e-16]
+    assert len({line.get_linestyle() for line in (horner, casteljau)}) == 2
+    assert len({line.get_marker() for line in (horner, casteljau)}) == 2
+    assert "Horner 10^4" in figure.get_label() and "de Casteljau 10^-15" in figure.get_label()
+
+
+def test_lower_curves_meet_the_level_before_the_last():
+    figure = figures.lower_curves(CUBIC, F(1, 3))
+    (axes,) = figure.axes
+    *_, before, last = EXAMPLES["deck/split"].answer["triangle"]
+    drawn = [np.column_stack(line.get_data()) for line in axes.get_lines()]
+    for level in (before, last):
+        assert any(line.shape == np.shape(level) and np.allclose(line, np.array(level, dtype=float)) for line in drawn)
+    first, second = (line for line in drawn if len(line) > 4 and np.abs(np.diff(line, 3, axis=0)).max() < 1e-12)
+    assert np.allclose([first[0], first[-1], second[0], second[-1]], [CUBIC[i] for i in (0, 2, 1, 3)])
+    assert "(2/3, 13/9)" in figure.get_label() and "(1, 5/3)" in figure.get_label()

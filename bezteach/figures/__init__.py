@@ -4,9 +4,9 @@ Every picture reads on a projector and in greyscale: what a colour tells, a dash
 of two numbers, exact or not. ``show`` puts a figure into a notebook as PNG and SVG, the same bytes from run to run.
 """
 
-from .curves import halving, loci, segment, split, triangle
+from .curves import halving, loci, lower_curves, segment, split, triangle
 from .derivatives import hodograph
-from .errors import error_growth, lower_curves
+from .errors import error_growth
 from .functions import areas, basis, decay, graph, graphs, stacked
 from .scene import drawn
 from .style import show

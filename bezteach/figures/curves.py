@@ -1,4 +1,4 @@
-"""Pictures of curves with their control polygons: the triangle, its paths, the halves, a part, repeated halving."""
+"""Pictures of a curve and its polygon: the triangle, its paths, the last step, the halves, a part, halvings."""
 
 import matplotlib as mpl
 import numpy as np
@@ -7,7 +7,8 @@ from matplotlib.figure import Figure
 from .. import numeric
 from ..display import number, point
 from ..palette import FIRST, INK, QUIET, SECOND
-from .style import SAMPLES, STYLE
+from .parts import curve, polygon, word
+from .style import STYLE
 
 LEVEL_MARKERS = "osD^v<>ph*"
 
@@ -20,12 +21,10 @@ def triangle(points, t):
     for last, axes in enumerate(panels):
         for k, level in enumerate(levels[: last + 1]):
             newest = k == last
-            _polygon(
-                axes, level, INK if newest else QUIET, LEVEL_MARKERS[k % 10], "-" if newest else ":", filled=newest
-            )
+            polygon(axes, level, INK if newest else QUIET, LEVEL_MARKERS[k % 10], "-" if newest else ":", filled=newest)
         _names(axes, levels[last], list(map(point, levels[last])), _rising(levels[last - 1]))
         axes.set_title(f"level {last}" if last else "the polygon")
-    _curve(panels[-1], points, FIRST)
+    curve(panels[-1], points, FIRST)
     found = ", ".join(point(p) for p in levels[-1])
     figure.set_label(
         f"De Casteljau's construction at t = {number(t)} in {len(levels)} pictures, a level more in each: "
@@ -43,9 +42,9 @@ def loci(points, t):
     levels = numeric.de_casteljau(points, t)
     figure, panels = _panels(len(levels) - 1, points)
     for k, (axes, level) in enumerate(zip(panels, levels[1:], strict=True), 1):
-        _polygon(axes, points, QUIET, ".", ":")
+        polygon(axes, points, QUIET, ".", ":")
         for j in range(len(level)):
-            _curve(axes, points[j : j + k + 1], (FIRST, SECOND)[j % 2], dash=("-", "--")[j % 2])
+            curve(axes, points[j : j + k + 1], (FIRST, SECOND)[j % 2], dash=("-", "--")[j % 2])
         x, y = np.asarray(level, dtype=float).T
         axes.plot(x, y, linestyle="", marker=LEVEL_MARKERS[k % 10], color=INK, markersize=9)
         axes.set_title(f"level {k}: {len(level)} path{'s' if len(level) > 1 else ''} of degree {k}")
@@ -55,11 +54,34 @@ def loci(points, t):
 
 
 @mpl.rc_context(STYLE)
+def lower_curves(points, t):
+    """A curve, the two curves of its first n and of its last n points, and the line between their points at t."""
+    *_, ends, (here,) = numeric.de_casteljau(points, t)
+    degree = len(points) - 1
+    figure, (axes,) = _panels(1, points)
+    polygon(axes, points, QUIET, "o", ":")
+    _named(axes, points, "b")
+    curve(axes, points[:-1], SECOND, dash="--", label=f"first {degree} points")
+    curve(axes, points[1:], INK, dash="-.", label=f"last {degree} points")
+    curve(axes, points, FIRST, width=4, label="the curve")
+    polygon(axes, ends, INK, "s", "-")
+    axes.plot(*map(float, here), "o", color=FIRST, markersize=11)
+    figure.legend(loc="outside lower center", ncols=3)
+    figure.set_label(
+        f"A curve of degree {degree} between two curves of degree {degree - 1}, of its first and of its last {degree} "
+        f"points. At t = {number(t)} these are at {point(ends[0])} and {point(ends[1])}; "
+        f"the curve's point {point(here)} lies on the line between them."
+    )
+    return figure
+
+
+@mpl.rc_context(STYLE)
 def split(points, t):
     """The two halves of a curve cut at t with their control polygons, over the polygon of the whole."""
     left, right = numeric.split(points, t)
     figure, (axes,) = _panels(1, points)
-    _polygon(axes, points, QUIET, ".", ":", name="b")
+    polygon(axes, points, QUIET, ".", ":")
+    _named(axes, points, "b")
     _half(axes, left, FIRST, "o", "-", f"left, 0 to {number(t)}")
     _half(axes, right, SECOND, "s", "--", f"right, {number(t)} to 1")
     figure.legend(loc="outside lower center", ncols=2)
@@ -75,8 +97,9 @@ def segment(points, a, b):
     """The part of a curve over [a, b] with its control polygon, over the whole."""
     part = numeric.segment(points, a, b)
     figure, (axes,) = _panels(1, np.concatenate([points, part]))
-    _polygon(axes, points, QUIET, ".", ":", name="b")
-    _curve(axes, points, QUIET)
+    polygon(axes, points, QUIET, ".", ":")
+    _named(axes, points, "b")
+    curve(axes, points, QUIET)
     _half(axes, part, FIRST, "o", "-", f"part, {number(a)} to {number(b)}")
     figure.legend(loc="outside lower center", ncols=2)
     figure.set_label(
@@ -90,9 +113,9 @@ def halving(points, depths=(0, 1, 2, 3)):
     """The control polygons after repeated halving, a panel a depth, over the curve."""
     figure, panels = _panels(len(depths), points)
     for axes, depth in zip(panels, depths, strict=True):
-        _curve(axes, points, QUIET, width=5)
+        curve(axes, points, QUIET, width=5)
         for number_of_piece, piece in enumerate(numeric.subdivide(points, depth)):
-            _polygon(axes, piece, (FIRST, SECOND)[number_of_piece % 2], "os"[number_of_piece % 2], "-", size=5)
+            polygon(axes, piece, (FIRST, SECOND)[number_of_piece % 2], "os"[number_of_piece % 2], "-", size=5)
         axes.set_title(f"{2**depth} piece{'s' if depth else ''}")
     pieces = ", ".join(str(2**depth) for depth in depths)
     figure.set_label(f"The control polygons of a curve in {pieces} pieces: at each halving they hug the curve closer.")
@@ -119,21 +142,12 @@ def _panels(count, points):
 
 
 def _half(axes, points, colour, marker, dash, label):
-    _polygon(axes, points, colour, marker, dash, width=1.4)
-    _curve(axes, points, colour, dash=dash, width=4, label=label)
+    polygon(axes, points, colour, marker, dash, width=1.4)
+    curve(axes, points, colour, dash=dash, width=4, label=label)
 
 
-def _polygon(axes, points, colour, marker, dash, *, name=None, width=1.6, size=8, filled=False):
-    x, y = np.asarray(points, dtype=float).T
-    inside = colour if filled else "white"
-    axes.plot(x, y, dash, color=colour, linewidth=width, marker=marker, markersize=size, markerfacecolor=inside)
-    if name is not None:
-        _names(axes, points, [f"${name}_{{{i}}}$" for i in range(len(points))], np.array([0.0, 1.0]))
-
-
-def _curve(axes, points, colour, *, dash="-", width=3.0, label=None):
-    x, y = numeric.sample(np.asarray(points, dtype=float), SAMPLES).T
-    axes.plot(x, y, color=colour, linestyle=dash, linewidth=width, label=label, zorder=1.9)
+def _named(axes, points, name):
+    _names(axes, points, [f"${name}_{{{i}}}$" for i in range(len(points))], np.array([0.0, 1.0]))
 
 
 def _names(axes, points, names, alone):
@@ -141,17 +155,7 @@ def _names(axes, points, names, alone):
     places = np.asarray(points, dtype=float)
     for i, (place, name) in enumerate(zip(places, names, strict=True)):
         neighbours = [places[j] for j in (i - 1, i + 1) if 0 <= j < len(places)]
-        away = place - np.mean(neighbours, axis=0) if neighbours else alone
-        away = away / (np.hypot(*away) or 1.0)
-        axes.annotate(
-            name,
-            place,
-            xytext=14 * away,
-            textcoords="offset points",
-            ha="center" if abs(away[0]) < 0.35 else "left" if away[0] > 0 else "right",
-            va="center" if abs(away[1]) < 0.35 else "bottom" if away[1] > 0 else "top",
-            bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
-        )
+        word(axes, place, name, place - np.mean(neighbours, axis=0) if neighbours else alone)
 
 
 def _rising(points):

@@ -9,7 +9,8 @@ from matplotlib.figure import Figure
 from .. import numeric
 from ..display import number, point
 from ..palette import FIRST, INK, QUIET, SECOND
-from .style import SAMPLES, STYLE
+from .parts import curve, polygon, word
+from .style import STYLE
 
 PLACES = (Fraction(0), Fraction(1, 3), Fraction(2, 3), Fraction(1))
 
@@ -28,15 +29,15 @@ def hodograph(points, places=PLACES):
     figure = Figure(figsize=(10.4, 5.4), layout="constrained")
     plane, vectors = figure.subplots(1, 2)
     tips = list(np.asarray(starts, dtype=float) + np.asarray(arrows, dtype=float) / n)
-    _polygon(plane, points)
-    _curve(plane, points, FIRST, "-")
+    polygon(plane, points, QUIET, "s", ":")
+    curve(plane, points, FIRST, width=3.5)
     _arrows(plane, starts, tips)
     _labels(plane, points, places, side=1)
     plane.set_title(f"the curve at some t, with p'(t) / {n}")
     for at in (vectors.axhline, vectors.axvline):
         at(0, color=QUIET, linewidth=1, zorder=0.5)
-    _polygon(vectors, edges)
-    _curve(vectors, edges, SECOND, "--")
+    polygon(vectors, edges, QUIET, "s", ":")
+    curve(vectors, edges, SECOND, dash="--", width=3.5)
     origin = np.zeros(2)
     _arrows(vectors, [origin] * len(arrows), arrows)
     vectors.plot(0, 0, marker="o", color=INK, markersize=7)
@@ -55,16 +56,6 @@ def hodograph(points, places=PLACES):
 
 def _pairs(one, other):
     return zip(one, other, strict=True)
-
-
-def _polygon(axes, points):
-    x, y = np.asarray(points, dtype=float).T
-    axes.plot(x, y, ":", color=QUIET, linewidth=1.6, marker="s", markersize=8, markerfacecolor="white")
-
-
-def _curve(axes, points, colour, dash):
-    x, y = numeric.sample(np.asarray(points, dtype=float), SAMPLES).T
-    axes.plot(x, y, color=colour, linestyle=dash, linewidth=3.5, zorder=1.9)
 
 
 def _arrows(axes, starts, tips):
@@ -86,16 +77,7 @@ def _labels(axes, points, places, side):
         )
         turn = first[0] * second[1] - first[1] * second[0]
         away = side * np.sign(turn) * np.array([-first[1], first[0]])
-        away = away / np.hypot(*away) if away.any() else np.array([0.0, 1.0])
-        axes.annotate(
-            number(t),
-            place,
-            xytext=13 * away,
-            textcoords="offset points",
-            ha="center" if abs(away[0]) < 0.35 else "left" if away[0] > 0 else "right",
-            va="center" if abs(away[1]) < 0.35 else "bottom" if away[1] > 0 else "top",
-            bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
-        )
+        word(axes, place, number(t), away if away.any() else np.array([0.0, 1.0]))
 
 
 def _frame(axes, points):

@@ -1,0 +1,31 @@
+"""What several pictures draw alike: a polygon, a curve, and words beside a point."""
+
+import numpy as np
+
+from .. import numeric
+from .style import SAMPLES
+
+
+def polygon(axes, points, colour, marker, dash, *, width=1.6, size=8, filled=False):
+    x, y = np.asarray(points, dtype=float).T
+    inside = colour if filled else "white"
+    axes.plot(x, y, dash, color=colour, linewidth=width, marker=marker, markersize=size, markerfacecolor=inside)
+
+
+def curve(axes, points, colour, *, dash="-", width=3.0, label=None):
+    x, y = numeric.sample(np.asarray(points, dtype=float), SAMPLES).T
+    axes.plot(x, y, color=colour, linestyle=dash, linewidth=width, label=label, zorder=1.9)
+
+
+def word(axes, place, text, away):
+    """Write a text beside a place, some way off in the direction of the vector ``away``."""
+    away = away / (np.hypot(*away) or 1.0)
+    axes.annotate(
+        text,
+        place,
+        xytext=14 * away,
+        textcoords="offset points",
+        ha="center" if abs(away[0]) < 0.35 else "left" if away[0] > 0 else "right",
+        va="center" if abs(away[1]) < 0.35 else "bottom" if away[1] > 0 else "top",
+        bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
+    )
