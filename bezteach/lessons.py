@@ -12,6 +12,7 @@ import hashlib
 import io
 import json
 import os
+import re
 import subprocess
 import sys
 import time
@@ -99,6 +100,12 @@ def normalised_outputs(outputs, count):
     return kept
 
 
+def wordless(outputs):
+    """Of outputs as a kernel gave them: the texts of widgets that say no more in words than their traits."""
+    words = [output.data.get("text/plain", "") for output in outputs if VIEW in output.get("data", {})]
+    return [text for text in words if re.match(r"\s*$|\w+\((\w+=|\)|$)", text)]
+
+
 def executed(notebook, folder):
     """A copy of the notebook with the outputs of a fresh kernel of this interpreter, working in the folder.
 
@@ -130,11 +137,16 @@ def staleness(text, fresh):
     """Where and how a stored text first differs from the notebook it should hold; "" when it does not."""
     stored = parsed(text)
     for index, (old, new) in enumerate(zip(stored.cells, fresh.cells, strict=True), start=1):
-        if diff := list(difflib.unified_diff(lines(old), lines(new), n=1, lineterm=""))[2:12]:
+        if diff := difference(old, new):
             where = f"In [{new.execution_count}]" if "outputs" in new else f"cell {index} ({new.cell_type})"
             return "\n    ".join([f"{where}, stored - and fresh +", *(line[:150] for line in diff)])
     same = stored.metadata == fresh.metadata and serialised(stored) == text
     return "" if same else "its metadata or the layout of its JSON"
+
+
+def difference(old, new):
+    """The first lines in which two cells differ, as a diff; none when they hold the same."""
+    return list(difflib.unified_diff(lines(old), lines(new), n=1, lineterm=""))[2:12]
 
 
 def lines(cell):

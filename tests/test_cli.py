@@ -144,7 +144,7 @@ def test_pytest_runs_in_the_checkout_with_its_exit_code_and_its_output(home):
 def inner(pytester, monkeypatch):
     """A function that runs a pytest of its own, with the project's conftest, on some tests."""
     monkeypatch.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")
-    pytester.makeconftest((ROOT / "tests" / "conftest.py").read_text(encoding="utf-8"))
+    pytester.makeconftest((ROOT / "conftest.py").read_text(encoding="utf-8"))
 
     def run_inner(tests, require_all):
         monkeypatch.setenv("BEZTEACH_REQUIRE_ALL", require_all)

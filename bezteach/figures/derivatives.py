@@ -32,7 +32,7 @@ def hodograph(points, places=PLACES):
     polygon(plane, points, QUIET, "s", ":")
     curve(plane, points, FIRST, width=3.5)
     _arrows(plane, starts, tips)
-    _labels(plane, points, places, side=1)
+    _labels(plane, points, places)
     plane.set_title(f"the curve at some t, with p'(t) / {n}")
     for at in (vectors.axhline, vectors.axvline):
         at(0, color=QUIET, linewidth=1, zorder=0.5)
@@ -41,7 +41,7 @@ def hodograph(points, places=PLACES):
     origin = np.zeros(2)
     _arrows(vectors, [origin] * len(arrows), arrows)
     vectors.plot(0, 0, marker="o", color=INK, markersize=7)
-    _labels(vectors, edges, places, side=-1)
+    _labels(vectors, edges, places)
     vectors.set_title("the hodograph at the same t, with p'(t)")
     for axes, shown in ((plane, [*points, *tips]), (vectors, [*edges, origin])):
         _frame(axes, shown)
@@ -68,15 +68,15 @@ def _arrows(axes, starts, tips):
         axes.annotate("", tip, start, arrowprops=arrow)
 
 
-def _labels(axes, points, places, side):
-    """Write each t, the number alone, beside its point: where the curve bends to (1), or on the other side (-1)."""
+def _labels(axes, points, places):
+    """Write each t, the number alone, beside its point, on the side the curve bends away from, where names part."""
     for t in places:
         place, first, second = (
             np.asarray(value, dtype=float)
             for value in (numeric.evaluate(points, t), *(numeric.derivative(points, t, r) for r in (1, 2)))
         )
         turn = first[0] * second[1] - first[1] * second[0]
-        away = side * np.sign(turn) * np.array([-first[1], first[0]])
+        away = np.sign(turn) * np.array([first[1], -first[0]])
         word(axes, place, number(t), away if away.any() else np.array([0.0, 1.0]))
 
 
@@ -87,3 +87,4 @@ def _frame(axes, points):
     room = np.array([0.26, 0.18]) * max(high - low)
     (left, bottom), (right, top) = low - room, high + room
     axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
+    axes.locator_params(nbins=7)  # numbers beside each other stay apart

@@ -1,25 +1,13 @@
-"""What the tests of the lessons share: lessons executed once a session, and pytest run apart."""
+"""What the tests of the lessons share: pytest run apart."""
 
 import os
 import subprocess
 import sys
-from functools import cache
 from pathlib import Path
 
 import pytest
 
 from bezteach import lessons
-
-
-@pytest.fixture(scope="session")
-def afresh():
-    """The function from a lesson's path to the lesson executed now, as the kernel gave it, not normalised."""
-
-    @cache
-    def run(path: Path):
-        return lessons.executed(lessons.parsed(path.read_text(encoding="utf-8")), path.parent)
-
-    return run
 
 
 @pytest.fixture(scope="session")
