@@ -77,7 +77,7 @@ def _labels(axes, points, places):
         )
         turn = first[0] * second[1] - first[1] * second[0]
         away = np.sign(turn) * np.array([first[1], -first[0]])
-        word(axes, place, number(t), away if away.any() else np.array([0.0, 1.0]))
+        word(axes, place, number(t), away)
 
 
 def _frame(axes, points):

@@ -18,8 +18,8 @@ def curve(axes, points, colour, *, dash="-", width=3.0, label=None):
 
 
 def word(axes, place, text, away):
-    """Write a text beside a place, some way off in the direction of the vector ``away``."""
-    away = away / (np.hypot(*away) or 1.0)
+    """Write a text beside a place, some way off in the direction of the vector ``away``, above it if that is 0."""
+    away = away / np.hypot(*away) if np.any(away) else np.array([0.0, 1.0])
     axes.annotate(
         text,
         place,

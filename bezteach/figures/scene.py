@@ -86,8 +86,8 @@ def _below(axes, points, mark):
 def _names(axes, points, mark):
     for i, (place, word) in enumerate(zip(points, mark.words, strict=True)):
         neighbours = [points[j] for j in (i - 1, i + 1) if 0 <= j < len(points)]
-        away = place - np.mean(neighbours, axis=0) if neighbours else np.array([0.0, 1.0])
-        away = away / (np.hypot(*away) or 1.0)
+        away = place - np.mean(neighbours or [place], axis=0)
+        away = away / np.hypot(*away) if away.any() else np.array([0.0, 1.0])
         axes.annotate(word, place, xytext=16 * away, textcoords="offset points", ha="center", va="center")
 
 

@@ -15,6 +15,8 @@ from ..forms import FROM_ONE, FROM_TWO, curve, derivative_at
 from ..planar import acceleration, cross, curvature_squared, dot, halves, minus, velocity
 
 c, d, s, x1, y1, x2, y2 = symbols("c d s x1 y1 x2 y2", real=True)
+join, velocity_there, before, after = symbols("p v a c", real=True)
+h, k = symbols("h l", positive=True)
 
 LEFT, RIGHT = curve(), curve(first=n)
 JUMP = derivative_at(0, RIGHT) - derivative_at(1, LEFT)
@@ -30,6 +32,12 @@ TURNING_BACK = [(0, 1), (1, 1), (1, 0), (0, 0)], [(0, 0), (1, 0), (2, -1), (1, -
 PARABOLA_IN_TWO = halves([(0, 0), (3, 6), (9, 0)], Fraction(1, 3))
 EVEN_THEN_FASTER = [(0, 0), (1, 0), (2, 0)], [(2, 0), (3, 0), (5, 0)]
 EVEN_THEN_TWICE = [(0, 0), (1, 0), (2, 0)], [(2, 0), (4, 0), (6, 0)]
+
+
+LAST_INNER, FIRST_INNER = join - h * velocity_there, join + k * velocity_there
+TIP_LEFT = LAST_INNER + (k / h) * (LAST_INNER - before)
+TIP_RIGHT = FIRST_INNER + (h / k) * (FIRST_INNER - after)
+BENDS = (after - 2 * FIRST_INNER + join) / k**2 - (join - 2 * LAST_INNER + before) / h**2
 
 
 def tangents_oppose(left, right):
@@ -149,6 +157,24 @@ CLAIMS = [
             "Equal second derivatives alone are not C2: here both are 0, and the speed is not the same.",
             lambda: accelerations_agree(*EVEN_THEN_TWICE) and not velocities_agree(*EVEN_THEN_TWICE),
         ),
+    ),
+    argued(
+        "joins/a-frame",
+        "equal degrees, C1: the join is C2 exactly if the two tips of its A-frame are one point",
+        "The tips are P_{n-1} + (P_{n-1} - P_{n-2}) l / h, the edge before the last one prolonged in the ratio of the "
+        "intervals, and Q_1 + (Q_1 - Q_2) h / l, the same from the right.",
+        Known(
+            "C1 means that n (P_n - P_{n-1}) / h and n (Q_1 - Q_0) / l are one velocity: with an n-th v of it, "
+            "P_{n-1} = p - h v and Q_1 = p + l v about the join p.",
+            "joins/c1",
+        ),
+        Shown(
+            "Then the second derivative jumps by n (n-1) times this, with a = P_{n-2} and c = Q_2: the left tip minus "
+            "the right one, over h l.",
+            eq(BENDS, (TIP_LEFT - TIP_RIGHT) / (h * k)),
+        ),
+        Known("So it does not jump, and the join is C2, exactly if the tips are one point.", "joins/c2"),
+        "For equal intervals this is 2 P_{n-1} - P_{n-2} = 2 Q_1 - Q_2: each leg is as long again beyond the crossbar.",
     ),
     argued(
         "joins/g2",

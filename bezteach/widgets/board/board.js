@@ -150,6 +150,38 @@ function curveCrossings(points, line) {
   return found.map((t) => pointAt(points, t));
 }
 
+const together = (p, q, factor) => [p[0] + factor * q[0], p[1] + factor * q[1]];
+
+const cutInPieces = (points) =>
+  Array.from({ length: Math.ceil((points.length - 1) / 3) }, (_, k) => points.slice(3 * k, 3 * k + 4));
+
+function aFrame(left, right, [h, l]) {
+  if (left.length !== 4 || right.length !== 4 || !(h * l)) return null;
+  const [before, after] = [subtract(left[2], left[1]), subtract(right[1], right[2])];
+  return [together(left[2], before, l / h), together(right[1], after, h / l)];
+}
+
+const cubics = (data, thirds) =>
+  data.slice(1).map((end, i) => [data[i], together(data[i], thirds[i], 1), together(end, thirds[i + 1], -1), end]);
+
+function catmullRom(data) {
+  const beyond = (end, inner) => together(end, subtract(end, inner), 1);
+  const longer = [beyond(data[0], data[1]), ...data, beyond(data.at(-1), data.at(-2))];
+  return cubics(data, data.map((_, i) => subtract(longer[i + 2], longer[i]).map((c) => c / 6))); // prettier-ignore
+}
+
+function natural(data) {
+  const last = data.length - 1;
+  const v = data.map((_, i) => subtract(data[Math.min(i + 1, last)], data[Math.max(i - 1, 0)]).map((c) => 3 * c));
+  const pivots = [2];
+  for (let i = 1; i <= last; i++) {
+    v[i] = together(v[i], v[i - 1], -1 / pivots[i - 1]);
+    pivots.push((i < last ? 4 : 2) - 1 / pivots[i - 1]);
+  }
+  for (let i = last; i >= 0; i--) v[i] = (i < last ? subtract(v[i], v[i + 1]) : v[i]).map((c) => c / pivots[i]);
+  return cubics(data, v.map((vector) => vector.map((c) => c / 3))); // prettier-ignore
+}
+
 const mark = (kind, points, style, frame = 0) => ({ kind, points, style, frame });
 const same = (p, q, size) => Math.hypot(...subtract(p, q)) <= ROUNDING * size;
 const parity = (i) => (i % 2 ? "odd" : "even");
@@ -229,7 +261,25 @@ const PAINTED = {
       mark("dots", [pointAt(points, t)], "point"),
     ];
   },
+  pieces: (points) => cutInPieces(points).map((piece, k) => mark("curve", piece, k % 2 ? "right-curve" : "left-curve")),
+  frames(points, state) {
+    const t = value(state.t);
+    const pieces = cutInPieces(points);
+    return pieces.slice(1).flatMap((right, k) => {
+      const tips = aFrame(pieces[k], right, k % 2 ? [1 - t, t] : [t, 1 - t]);
+      if (!tips) return [];
+      const legs = [mark("line", [pieces[k][2], tips[0]], "left"), mark("line", [right[1], tips[1]], "right")];
+      return [...legs, mark("squares", [tips[1]], "right"), mark("dots", [tips[0]], "new")];
+    });
+  },
+  local: (points) => spline(catmullRom(points), "left-curve", "odd"),
+  natural: (points) => spline(natural(points), "right-curve", "even"),
 };
+
+function spline(cubics, curve, inner) {
+  const curves = cubics.map((cubic) => mark("curve", cubic, curve));
+  return [...curves, ...cubics.flatMap((cubic) => [mark("line", cubic, inner), mark("dots", cubic.slice(1, 3), inner)])];
+}
 
 export function scene(state) {
   const points = floats(state.points);
@@ -564,7 +614,8 @@ function render({ model, el }) {
     layers.append(element("label", {}, box, " " + label));
     return [name, box];
   });
-  const degreeTools = model.get("vertical") ? [] : [buttons.add, buttons.remove, buttons.elevate];
+  const degreeTools = model.get("vertical") ? [] : [buttons.add, buttons.remove];
+  if (degreeTools.length && model.get("layers").curve) degreeTools.push(buttons.elevate); // not of several curves
   tools.append(buttons.undo, buttons.reset, ...degreeTools, buttons.projector, ...(boxes.length > 1 ? [layers] : []));
 
   // -- sliders, each for the layers that use it
@@ -593,7 +644,7 @@ function render({ model, el }) {
     slider(name, label, high, { low, get: () => [state[name], String(state[name])], set: (x) => ({ [name]: Number(x) }), shown }); // prettier-ignore
   const limits = model.get("limits");
   const rows = [
-    parameter("t", "t", uses("point", "levels", "halves", "tangents", "hodograph")),
+    parameter("t", "t", uses("point", "levels", "halves", "tangents", "hodograph", "pieces", "frames")),
     parameter("a", "a", uses("part")),
     parameter("b", "b", uses("part")),
     counter("end", "circle at t =", 1, 0, uses("circle")),

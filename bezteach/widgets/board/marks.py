@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+import numpy as np
+
 
 class Style(NamedTuple):
     """How a mark looks. Colours are names of the palette; widths, dashes and radii are pixels."""
@@ -54,3 +56,13 @@ STYLES = {
     "even": Style("second", 1.8, fill="paper", radius=3),
     "odd": Style("first", 1.8, dash="7 4", fill="paper", radius=3),
 }
+
+
+def mark(kind, points, style, frame=0):
+    """A mark through points, shape (m, 2), in the style of this name."""
+    return Mark(kind, rows(points), STYLES[style], frame=frame)
+
+
+def rows(points):
+    """Points as a tuple of pairs of floats."""
+    return tuple(map(tuple, np.asarray(points, dtype=float).tolist()))

@@ -6,7 +6,8 @@ import numpy as np
 
 from ... import numeric
 from .crossings import curve_crossings, polygon_crossings
-from .marks import STYLES, Mark
+from .joining import frames, local, natural, pieces
+from .marks import STYLES, Mark, mark, rows
 
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
@@ -14,55 +15,47 @@ SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 def scene(state, letter="b"):
     """The marks of all layers shown, from the bottom to the top, the control points and their names last."""
     points = np.asarray(state.points, dtype=float)
-    marks = [mark for name in state.show for mark in PAINTED[name](points, state)]
+    marks = [one for name in state.show for one in PAINTED[name](points, state)]
     names = tuple(f"{letter}{str(i).translate(SUBSCRIPTS)}" for i in range(len(points)))
-    handles = [_mark("dots", points, "new"), Mark("names", _rows(points), STYLES["new"], names)]
+    handles = [mark("dots", points, "new"), Mark("names", rows(points), STYLES["new"], names)]
     return marks + handles
 
 
-def _mark(kind, points, style, frame=0):
-    return Mark(kind, _rows(points), STYLES[style], frame=frame)
-
-
-def _rows(points):
-    return tuple(map(tuple, np.asarray(points, dtype=float).tolist()))
-
-
 def _polygon(points, state):
-    return [_mark("line", points, "polygon")]
+    return [mark("line", points, "polygon")]
 
 
 def _curve(points, state):
-    return [_mark("curve", points, "curve")]
+    return [mark("curve", points, "curve")]
 
 
 def _point(points, state):
-    return [_mark("dots", [numeric.evaluate(points, float(state.t))], "point")]
+    return [mark("dots", [numeric.evaluate(points, float(state.t))], "point")]
 
 
 def _levels(points, state):
     last = len(points) - 1 if state.level is None else state.level
     levels = numeric.de_casteljau(points, float(state.t))[1 : last + 1]
-    lines = [_mark("line", level, "level") for level in levels if len(level) > 1]
-    dots = [_mark("dots", level, "new" if len(level) > 1 else "point") for level in levels]
+    lines = [mark("line", level, "level") for level in levels if len(level) > 1]
+    dots = [mark("dots", level, "new" if len(level) > 1 else "point") for level in levels]
     return lines + dots
 
 
 def _halves(points, state):
     left, right = numeric.split(points, float(state.t))
     return [
-        _mark("curve", left, "left-curve"),
-        _mark("curve", right, "right-curve"),
-        _mark("line", left, "left"),
-        _mark("line", right, "right"),
-        _mark("dots", left, "left"),
-        _mark("squares", right, "right"),
+        mark("curve", left, "left-curve"),
+        mark("curve", right, "right-curve"),
+        mark("line", left, "left"),
+        mark("line", right, "right"),
+        mark("dots", left, "left"),
+        mark("squares", right, "right"),
     ]
 
 
 def _part(points, state):
     part = numeric.segment(points, float(state.a), float(state.b))
-    return [_mark("curve", part, "part"), _mark("line", part, "right"), _mark("squares", part, "right")]
+    return [mark("curve", part, "part"), mark("line", part, "right"), mark("squares", part, "right")]
 
 
 def _tangents(points, state):
@@ -70,8 +63,8 @@ def _tangents(points, state):
     exact = np.array(state.points, dtype=object)
     levels = numeric.de_casteljau(exact, state.t)
     pairs = [exact[:2], levels[-2], exact[-2:]]
-    return [_mark("whole", pair, "tangent") for pair in pairs if (pair[0] != pair[1]).any()] + [
-        _mark("dots", levels[-1], "point")
+    return [mark("whole", pair, "tangent") for pair in pairs if (pair[0] != pair[1]).any()] + [
+        mark("dots", levels[-1], "point")
     ]
 
 
@@ -79,22 +72,22 @@ def _hodograph(points, state):
     arrows = numeric.hodograph(points)
     tip = numeric.evaluate(arrows, float(state.t))
     return [
-        _mark("whole", [(0, 0), (1, 0)], "axis", 1),
-        _mark("whole", [(0, 0), (0, 1)], "axis", 1),
-        _mark("line", arrows, "polygon", 1),
-        _mark("curve", arrows, "hodograph", 1),
-        _mark("dots", arrows, "new", 1),
-        _mark("line", [(0, 0), tip], "vector", 1),
-        _mark("dots", [tip], "point", 1),
-        Mark("names", _rows([tip]), STYLES["point"], ("p′(t)",), 1),
-        _mark("dots", numeric.de_casteljau(points, float(state.t))[-1], "point"),
+        mark("whole", [(0, 0), (1, 0)], "axis", 1),
+        mark("whole", [(0, 0), (0, 1)], "axis", 1),
+        mark("line", arrows, "polygon", 1),
+        mark("curve", arrows, "hodograph", 1),
+        mark("dots", arrows, "new", 1),
+        mark("line", [(0, 0), tip], "vector", 1),
+        mark("dots", [tip], "point", 1),
+        Mark("names", rows([tip]), STYLES["point"], ("p′(t)",), 1),
+        mark("dots", numeric.de_casteljau(points, float(state.t))[-1], "point"),
     ]
 
 
 def _hull(points, state):
     (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
     box = [(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)]
-    return [_mark("area", hull(state.points), "hull"), _mark("line", box, "box")]
+    return [mark("area", hull(state.points), "hull"), mark("line", box, "box")]
 
 
 def hull(points):
@@ -123,7 +116,7 @@ def _circle(points, state):
     found = end_circle(exact[::-1] if state.end else exact)
     if found is None:
         return []
-    return [_mark("circle", found, "circle"), _mark("line", found, "axis"), _mark("dots", found, "new")]
+    return [mark("circle", found, "circle"), mark("line", found, "axis"), mark("dots", found, "new")]
 
 
 def end_circle(points):
@@ -142,12 +135,12 @@ def end_circle(points):
 def _line(points, state):
     line = np.asarray(state.line, dtype=float)
     exact = (np.array(rows, dtype=object) for rows in (state.points, state.line))
-    marks = [_mark("whole", line, "line")]
+    marks = [mark("whole", line, "line")]
     for kind, places, style in (
         ("squares", polygon_crossings(*exact), "polygon-crossing"),
         ("dots", curve_crossings(points, line), "crossing"),
     ):
-        marks += [_mark(kind, places, style)] if len(places) else []
+        marks += [mark(kind, places, style)] if len(places) else []
     return marks
 
 
@@ -156,7 +149,7 @@ def _elevated(points, state):
     for r in range(1, state.raised + 1):
         style = ("even", "odd")[r % 2]
         raised = numeric.elevate(points, r)
-        marks += [_mark("line", raised, style), _mark("dots", raised, style)]
+        marks += [mark("line", raised, style), mark("dots", raised, style)]
     return marks
 
 
@@ -164,7 +157,7 @@ def _halving(points, state):
     marks = []
     for i, piece in enumerate(numeric.subdivide(points, state.depth)):
         style = ("even", "odd")[i % 2]
-        marks += [_mark("line", piece, style), _mark("dots", piece, style)]
+        marks += [mark("line", piece, style), mark("dots", piece, style)]
     return marks
 
 
@@ -182,4 +175,8 @@ PAINTED = {
     "halves": _halves,
     "part": _part,
     "hodograph": _hodograph,
+    "pieces": pieces,
+    "frames": frames,
+    "local": local,
+    "natural": natural,
 }

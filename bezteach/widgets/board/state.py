@@ -19,6 +19,10 @@ LAYERS = {  # from the bottom of the picture to its top
     "halves": "both halves, cut at t",
     "part": "the part over [a, b]",
     "hodograph": "hodograph",
+    "pieces": "cubics with common ends, over t and 1 - t in turn",
+    "frames": "A-frames of these cubics",
+    "local": "points as data: spline by the one-sixth rule",
+    "natural": "points as data: natural spline",
 }
 FEWEST, MOST = 2, 20
 DEEPEST, HIGHEST = 6, 12  # halvings and elevations: more cannot be told apart on a screen

@@ -8,6 +8,7 @@ import numpy as np
 from ... import numeric
 from ...display import number, point
 from .blocks import Block, exact_array, listed, name_of, root_of, times
+from .join_words import frames_said, local_said, natural_said, pieces_said
 from .shape_words import circle_said, hull_said, line_said
 
 
@@ -160,4 +161,8 @@ SAID = {
     "halves": _halves,
     "part": _part,
     "hodograph": _hodograph,
+    "pieces": pieces_said,
+    "frames": frames_said,
+    "local": local_said,
+    "natural": natural_said,
 }

@@ -2,6 +2,7 @@
 
 from .affine import explore_affine
 from .basis import explore_basis
+from .joining import explore_join, explore_spline
 from .powers import explore_powers
 from .presets import (
     explore_casteljau,
@@ -25,9 +26,11 @@ __all__ = [
     "explore_elevation",
     "explore_halving",
     "explore_hodograph",
+    "explore_join",
     "explore_powers",
     "explore_quartic",
     "explore_segment",
+    "explore_spline",
     "explore_split",
     "explore_tangents",
 ]

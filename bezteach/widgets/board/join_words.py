@@ -1,0 +1,70 @@
+"""What a board says of curves in several pieces: the class of each join, and the control points of splines."""
+
+from ...display import number, point
+from ...numeric import joins
+from .blocks import Block, exact_array, name_of
+from .joining import a_frame
+from .joining import joints as joints_of
+
+ALONE = [Block("Joins (拼接)", (("none: up to four points are one piece",),))]
+
+
+def pieces_said(state):
+    return [_join(*joint, name_of(3 * k)) for k, joint in _numbered(state)] or ALONE
+
+
+def frames_said(state):
+    return [Block(f"A-frame at {name_of(3 * k)}", _tips(a_frame(*joint))) for k, joint in _numbered(state)] or ALONE
+
+
+def local_said(state):
+    return [_cubics("one-sixth rule (六分之一法则)", joins.catmull_rom(state.points))]
+
+
+def natural_said(state):
+    return [_cubics("natural spline (自然样条)", joins.natural(state.points))]
+
+
+def _numbered(state):
+    return enumerate(joints_of(exact_array(state.points), state.t), 1)
+
+
+def _join(left, right, lengths, name):
+    h, k = lengths
+    title = f"Join (拼接) at {name}, intervals {number(h)} and {number(k)}"
+    if not h * k:
+        return Block(title, (("one interval has no length", "nothing joins"),))
+    report = joins.continuity(left, right, lengths)
+    rows = [_class(name, getattr(report, name), left_over) for name, left_over in _left_over(report)]
+    if report.vanishing:
+        rows.append(("G1, G2", "open", f"no tangent on the {' and the '.join(report.vanishing)}"))
+    return Block(title, tuple(rows))
+
+
+def _left_over(report):
+    """The classes that are decided, and what of each equation is left over; p ends at the join, q starts there."""
+    derivatives = [("C1", "q' - p'"), ("C2", "q'' - p''")]
+    if report.vanishing:
+        return derivatives
+    beta, gamma = number(report.beta), number(report.gamma)
+    return [
+        derivatives[0],
+        ("G1", "q'" if report.beta <= 0 else f"q' - β p', β = {beta}"),
+        derivatives[1],
+        ("G2", f"q'' - β² p'' - γ p', γ = {gamma}"),
+    ]
+
+
+def _class(name, condition, left_over):
+    return name, "yes" if condition.holds else "no", f"{left_over}: {point(condition.residual)}"
+
+
+def _tips(tips):
+    if tips is None:
+        return (("none: a piece is no cubic, or has no interval",),)
+    said = tuple((f"tip from the {side}", point(tip)) for side, tip in zip(("left", "right"), tips, strict=True))
+    return (*said, ("with C1", "C2" if (tips[0] == tips[1]).all() else "not C2: the tips differ"))
+
+
+def _cubics(kind, cubics):
+    return Block(f"Control points, {kind}", tuple(tuple(map(point, cubic)) for cubic in cubics))
