@@ -1,6 +1,6 @@
 """The ranges of letters, written as inequalities: what the ``given`` of ``proof.prove`` takes."""
 
-from sympy import Integer, Interval, Rational, oo
+from sympy import Integer, Interval, Rational, expand, oo, together
 
 from .errors import InvalidAnswer
 from .grammar import Grammar
@@ -58,7 +58,8 @@ def _narrow(found, letter, sign, limit):
         whole_formula(value, f"a limit of {letter}", MAX_FACTORIAL, position)
         if value.has(letter):
             raise InvalidAnswer(f"the limit contains {letter} itself: take another letter", position)
-        value += {"<": -1, ">": 1}.get(sign, 0)
+        if sign in ("<", ">"):
+            value = _nearest_inside(value, letter, sign, position)
         if value.is_Integer and value < 0 and sign != "<":
             raise InvalidAnswer(f"{letter} is never below 0: write a limit from 0 on", position)
     elif not value.is_Rational:
@@ -67,6 +68,14 @@ def _narrow(found, letter, sign, limit):
     for side, signs, better in (("lower", (">", ">=", "="), 1), ("upper", ("<", "<=", "="), -1)):
         if sign in signs:
             found[side] = _tighter(found.get(side), (value, left_out, position), better, letter)
+
+
+def _nearest_inside(value, letter, sign, position):
+    """The limit itself left out: of whole numbers, those beyond p/q with whole p, q are those from (p -+ 1)/q on."""
+    above, below = together(value).as_numer_denom()
+    if not below.is_Integer:
+        raise InvalidAnswer(f"{letter} {sign} a quotient by letters is not read: write {sign}= here", position)
+    return expand((above + {"<": -1, ">": 1}[sign]) / below)
 
 
 def _tighter(old, new, better, letter):

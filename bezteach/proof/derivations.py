@@ -9,6 +9,7 @@ from .budget import Budget
 from .chains import chain_verdicts, form
 from .errors import InvalidStatement
 from .exact.evaluate import evaluator, expression
+from .indices import with_true_indices
 from .judgement import (
     CHECKED_ONLY,
     FOLLOWS,
@@ -78,7 +79,7 @@ def _understood(lines, given):
     found = ranges(chain, about(chain, given) if faults or len(chain) < 2 else given)
     for line in chain:
         check_binders(line, found)
-    return accepted, faults, found
+    return {number: with_true_indices(line) for number, line in accepted.items()}, faults, found
 
 
 def _check_line(line, others):

@@ -1,6 +1,6 @@
 """The indices of sums and products: symbols of their own, of which nothing is assumed that their limits do not say."""
 
-from sympy import Dummy, Product, Sum, Symbol
+from sympy import Add, Dummy, Mul, Pow, Product, Sum, Symbol
 
 
 def with_indices(expr, letter):
@@ -8,7 +8,7 @@ def with_indices(expr, letter):
     if not expr.has(Sum, Product):
         return expr
     if not isinstance(expr, Sum | Product):
-        return expr.func(*[with_indices(part, letter) for part in expr.args])
+        return _rebuilt(expr, [with_indices(part, letter) for part in expr.args])
     function, inner, limits = with_indices(expr.function, letter), list(expr.limits), []
     while inner:  # its ends are outside, and stay
         index, *ends = inner.pop()
@@ -16,6 +16,14 @@ def with_indices(expr, letter):
         function, inner = function.xreplace(other), [limit.xreplace(other) for limit in inner]
         limits.insert(0, (other[index], *ends))
     return expr.func(function, *limits)
+
+
+def _rebuilt(expr, parts):
+    """The expression with other parts, as it stands: what SymPy would cancel may not be defined."""
+    if parts == list(expr.args):
+        return expr
+    as_it_stands = isinstance(expr, Add | Mul | Pow) and expr.func(*expr.args) != expr
+    return expr.func(*parts, evaluate=False) if as_it_stands else expr.func(*parts)
 
 
 def with_fresh_indices(expr):

@@ -105,3 +105,7 @@ def check_kinds(left, relation, right):
         raise InvalidStatement(f"{relation} between operators or points: only = has a meaning there")
     if any(points) and any(operators):
         raise InvalidStatement("an operator on one side and points on the other: let the operator act on a point")
+    for total in {*left.atoms(sp.Add), *right.atoms(sp.Add)}:
+        with_point = {part for part in total.args if part.has(sp.Indexed)}
+        if with_point and any(part.has(E) for part in {*total.args} - with_point):
+            raise InvalidStatement(f"{total}: an operator and a point cannot be added")

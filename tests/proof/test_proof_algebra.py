@@ -261,6 +261,20 @@ def test_points_with_two_indices_are_beyond_the_operator():
     assert prove(b[i, j], b[j, i]).status == "REFUTED"
 
 
+def test_a_derivative_that_falls_into_too_many_terms_is_left_alone():
+    product = t**n * (1 - t) ** i * (1 + t) ** j * (2 + t) ** k
+    once, again = Derivative(product, (t, 8)), Derivative(Derivative(product, t), (t, 7), evaluate=False)
+    assert by_algebra(statement(once, again, dict.fromkeys((n, i, j, k), (9, oo))), Budget(60)) is None
+
+
+@pytest.mark.parametrize("place", [b[0], b[1], t + b[0], Subs(t, t, b[0])])
+def test_a_point_is_no_argument_beside_the_operator(place):
+    """E would have to act on it, too: E b_0 b_1 is b_0 b_2 and b_1^2 by turns."""
+    for basis in (B(1, 1, place), B(i, n, place), Subs(t**n, t, place)):
+        assert by_algebra(statement(E * basis * b[0], basis * b[1]), Budget(5)) is None
+    assert prove(E * B(i, n, t) * b[0], B(i, n, t) * b[1]).status == "PROVED"
+
+
 def test_no_induction_where_an_interval_moves():
     """An interval that ends at n has another meaning at n + 1, and none in the first case."""
     claim = statement(t * Sum(k, (k, 0, n)), t * n * (n + 1) / 2, {t: Interval(0, n)})

@@ -1,7 +1,23 @@
 """What SymPy assumes of an index holds in its sum: it goes by the assumption, whatever stands there."""
 
 import pytest
-from sympy import Derivative, Ge, Integral, Interval, Le, Mul, Product, Rational, Subs, Sum, Symbol, binomial, oo
+from sympy import (
+    Add,
+    Derivative,
+    Ge,
+    Integral,
+    Interval,
+    Le,
+    Mul,
+    Pow,
+    Product,
+    Rational,
+    Subs,
+    Sum,
+    Symbol,
+    binomial,
+    oo,
+)
 
 from bezteach import bench
 from bezteach.proof import prove, statement
@@ -69,6 +85,39 @@ def test_a_derivation_does_not_start_between_whole_numbers():
     lines = [Sum(1, (k, 0, 2 * COUNTED)), 2 * COUNTED + 1 + TO_14 * (1 + (-1) ** (2 * COUNTED))]
     judged = check_derivation(lines, given={COUNTED: (Rational(1, 2), oo)})
     assert "PROVED" not in {judged.lines[1].step.status, judged.lines[1].whole.status}
+
+
+def test_an_index_of_a_derivation_has_only_the_signs_of_its_limits():
+    judged = check_derivation([Sum(FROM_BELOW, (k, -1, n - 1)), 1 + DELAY], budget=60)
+    assert judged.status in ("CHECKED", "UNDECIDED")
+
+
+def test_a_line_stands_as_it_is_written_until_it_is_known_to_have_a_value():
+    """What SymPy would cancel is not defined at n = 100, where no value is tried."""
+    total, last = Sum(k, (k, 0, n)), n * (n + 1) / 2
+    hidden = Mul(total, Pow(n - 100, -1), n - 100, evaluate=False)
+    nothing = Mul(0, Sum(1 / (k - 100), (k, 0, n)), evaluate=False)
+    assert check_derivation([hidden, last]).status in ("CHECKED", "UNDECIDED")
+    assert check_derivation([Add(n, nothing, evaluate=False), n]).status in ("CHECKED", "UNDECIDED")
+    assert prove(Add(total, Mul(0, 1 / (n - 100), evaluate=False), evaluate=False), last).status == "CHECKED"
+    below = Mul(Sum(k + 1, (k, -1, n)), Pow(n - 100, -1), n - 100, evaluate=False)  # its index is another symbol
+    assert check_derivation([below, (n + 1) * (n + 2) / 2]).status in ("CHECKED", "UNDECIDED")
+    assert check_derivation([total, last]).status == "PROVED"
+
+
+@pytest.mark.parametrize(
+    ("text", "given", "status"),
+    [
+        ("C(n,i) < C(n,i+1)", "i < n/2", "REFUTED"),  # n = 1, i = 0
+        ("n - 2i >= 2", "i < n/2", "REFUTED"),
+        ("n - 2i >= 1", "i < n/2", "PROVED"),
+        ("2n >= i+2", "n > i/2", "REFUTED"),
+        ("2n >= i+1", "n > i/2", "PROVED"),
+        ("(4n-8i-4)/(n-2i-1) = 4", "i < n/2", "REFUTED"),
+    ],
+)
+def test_a_half_left_out_leaves_no_whole_number_out(text, given, status):
+    assert bench.judge(text, given).status == status
 
 
 @pytest.mark.parametrize("kind", [Sum, Product])

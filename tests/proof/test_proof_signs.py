@@ -27,6 +27,7 @@ from sympy import (
     zoo,
 )
 
+from bezteach.bench import judge
 from bezteach.proof import (
     Budget,
     InvalidStatement,
@@ -331,3 +332,15 @@ def test_many_terms_keep_to_the_budget():
     with suppress(OutOfTime):
         by_signs(wide, Budget(1))
     assert perf_counter() - begin < 40  # only against hanging
+
+
+@pytest.mark.parametrize(
+    ("text", "status"),
+    [
+        ("(n+400)!*(n+399)! >= 400!*n!^2", "CHECKED"),  # numbers of hundreds of digits would have to be factored
+        ("(n+400)!/(n+1)! + (n+399)!/(n+2)! >= 2", "CHECKED"),
+        ("(n+30)!/n! + (n+20)!/(n+2)! >= 2", "PROVED"),
+    ],
+)
+def test_factorials_too_far_apart_are_left_alone(text, status):
+    assert judge(text).status == status

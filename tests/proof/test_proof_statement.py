@@ -153,6 +153,7 @@ def test_neither_the_operator_nor_the_name_of_the_points_nor_a_bound_index_is_a_
         ((Ge(E, 1),), None, ">= between operators or points"),
         ((Lt(b[0], b[1]),), None, "< between operators or points"),
         ((step(t) ** n, Sum(B(i, n, t) * b[i], (i, 0, n))), None, "operator on one side and points on the other"),
+        ((E * b[0] + E, b[1] + E), None, "an operator and a point cannot be added"),
     ],
 )
 def test_what_is_no_statement_says_why(sides, given, what):

@@ -26,12 +26,15 @@ from ..terms.size import degree
 from .sign_sets import ANY, NOT_NEGATIVE, POSITIVE, ZERO, product, total
 
 HIGHEST, MOST_SYMBOLS_TIMES_DEGREE, MOST_REALS = 40, 24, 2
+LARGEST = 10**60  # of a number: SymPy's factoring takes minutes with hundreds of digits
 
 
 def is_rational(expr):
     """Whether it is a rational function of its symbols, small enough to be taken apart."""
     highest, count = degree(expr), len(expr.free_symbols)
-    return highest is not None and (highest <= HIGHEST if count < 2 else highest * count <= MOST_SYMBOLS_TIMES_DEGREE)
+    if highest is None or any(max(abs(one.p), one.q) > LARGEST for one in expr.atoms(Rational)):
+        return False
+    return highest <= HIGHEST if count < 2 else highest * count <= MOST_SYMBOLS_TIMES_DEGREE
 
 
 def of_rational(expr, region):

@@ -19,6 +19,8 @@ def _basis(expr, whole, conditions):
     i, n, x = expr.args
     if x.free_symbols & whole:
         raise Failure(f"the argument of {expr} holds an integer symbol")
+    if x.has(Indexed):
+        raise Failure(f"the argument of {expr} is a point")
     if expand(x) in (0, 1):
         _check_top(expr, n, conditions)
         return one_at_zero(i if expand(x) == 0 else n - i, conditions)

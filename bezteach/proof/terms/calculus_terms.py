@@ -3,6 +3,7 @@
 from sympy import S, expand
 
 from .edges import need, never
+from .size import MOST_TERMS
 from .terms import Failure, Term, factorial_of, power_of, times
 
 
@@ -20,6 +21,8 @@ def derivative(terms, variable, count, conditions):
         return [_often(term, variable, count, conditions) for term in terms]
     for _ in range(int(count)):
         terms = [derived for term in terms for derived in _once(term, variable, conditions)]
+        if len(terms) > MOST_TERMS:
+            raise Failure("a derivative with too many terms")
     return terms
 
 

@@ -13,11 +13,11 @@ from .atoms import ATOMS, POINT, one_at_zero
 from .calculus_terms import at_point, derivative, integral
 from .edges import Edge, need, never, one_of
 from .linear import least
+from .size import MOST_TERMS
 from .terms import Failure, Term, inverse, power_of, times
 
 __all__ = ["POINT", "Edge", "need", "never", "normal"]
 
-MOST_TERMS = 400
 _TAKEN_APART = (Sum, Integral, Derivative, Subs, Indexed, B, KroneckerDelta)
 
 
@@ -121,6 +121,8 @@ def _derivative(expr, whole, conditions):
 def _at_point(expr, whole, conditions):
     if len(expr.variables) != 1 or expr.point[0].free_symbols & whole:
         raise Failure(f"{expr} is not at one real value")
+    if expr.point[0].has(Indexed):
+        raise Failure(f"{expr} is at a point, which is no value")
     terms = _in_reals(expr.expr, expr.variables, whole, conditions)
     return at_point(terms, expr.variables[0], expr.point[0], conditions)
 

@@ -7,7 +7,8 @@ from sympy import Add, Mul, Pow, Rational, Symbol, cancel, factor
 from .failure import Failure
 
 LARGEST = 100  # degree times number of symbols, which takes a few seconds at most
-MOST = 5000  # terms
+MOST = 5000  # terms of a polynomial
+MOST_TERMS = 400  # hypergeometric terms of a sum
 
 
 def degree(expr):

@@ -11,7 +11,7 @@ from sympy import Add, Expr, Integer, Mul, Pow, S, expand, factorial
 
 from .failure import Failure
 from .linear import coefficients
-from .size import cancelled
+from .size import LARGEST, cancelled
 
 
 class Term(NamedTuple):
@@ -119,7 +119,9 @@ def _families(terms):
 
 
 def _rising(lowest, form):
-    """form! / lowest!, a product."""
+    """form! / lowest!, a product; ``Failure`` if it is too long."""
+    if form - lowest > LARGEST:
+        raise Failure(f"{form}! and {lowest}! are too far apart")
     return Mul(*[lowest + k for k in range(1, int(form - lowest) + 1)])
 
 
