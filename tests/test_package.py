@@ -48,7 +48,8 @@ ARROWS = {
     "display": {"symbolic"},
     "questions": {"numeric", "examples"},
     "palette": set(),
-    "figures": {"numeric", "display", "palette"},
+    "naming": set(),
+    "figures": {"numeric", "display", "palette", "naming"},
     "bench": {"parsing", "proof"},
     "ledger": {"proof", "symbolic", "display", "examples"},
     "widgets": {
@@ -59,6 +60,7 @@ ARROWS = {
         "display",
         "questions",
         "palette",
+        "naming",
         "bench",
         "parsing",
         "proof",

@@ -4,28 +4,49 @@ Every picture reads on a projector and in greyscale: what a colour tells, a dash
 of two numbers, exact or not. ``show`` puts a figure into a notebook as PNG and SVG, the same bytes from run to run.
 """
 
+from .crossing import boxes, crossing, signs
 from .curves import halving, loci, lower_curves, segment, split, triangle
 from .derivatives import hodograph
+from .elevation import elevated, lowered, raised, two_ways
 from .errors import error_growth
+from .fitting import clock, fitted, nudged, two_bases
 from .functions import areas, basis, decay, graph, graphs, stacked
+from .joins import curvatures, reach
 from .scene import drawn
+from .shape import beads, heights, moved
 from .style import show
 
 __all__ = [
     "areas",
     "basis",
+    "beads",
+    "boxes",
+    "clock",
+    "crossing",
+    "curvatures",
     "decay",
     "drawn",
+    "elevated",
     "error_growth",
+    "fitted",
     "graph",
     "graphs",
     "halving",
+    "heights",
     "hodograph",
     "loci",
     "lower_curves",
+    "lowered",
+    "moved",
+    "nudged",
+    "raised",
+    "reach",
     "segment",
     "show",
+    "signs",
     "split",
     "stacked",
     "triangle",
+    "two_bases",
+    "two_ways",
 ]

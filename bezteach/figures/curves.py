@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from .. import numeric
 from ..display import number, point
 from ..palette import FIRST, INK, QUIET, SECOND
-from .parts import curve, polygon, word
+from .parts import curve, names, polygon, word
 from .style import STYLE
 
 LEVEL_MARKERS = "osD^v<>ph*"
@@ -22,7 +22,7 @@ def triangle(points, t):
         for k, level in enumerate(levels[: last + 1]):
             newest = k == last
             polygon(axes, level, INK if newest else QUIET, LEVEL_MARKERS[k % 10], "-" if newest else ":", filled=newest)
-        _names(axes, levels[last], list(map(point, levels[last])), _rising(levels[last - 1]))
+        _coordinates(axes, levels, last)
         axes.set_title(f"level {last}" if last else "the polygon")
     curve(panels[-1], points, FIRST)
     found = ", ".join(point(p) for p in levels[-1])
@@ -147,15 +147,16 @@ def _half(axes, points, colour, marker, dash, label):
 
 
 def _named(axes, points, name):
-    _names(axes, points, [f"${name}_{{{i}}}$" for i in range(len(points))], np.array([0.0, 1.0]))
+    names(axes, points, [f"${name}_{{{i}}}$" for i in range(len(points))])
 
 
-def _names(axes, points, names, alone):
-    """Write a name beside each point, away from its neighbours; ``alone`` is the way for a point that has none."""
-    places = np.asarray(points, dtype=float)
-    for i, (place, name) in enumerate(zip(places, names, strict=True)):
-        neighbours = [places[j] for j in (i - 1, i + 1) if 0 <= j < len(places)]
-        word(axes, place, name, place - np.mean(neighbours, axis=0) if neighbours else alone)
+def _coordinates(axes, levels, last):
+    """Write their coordinates beside the points of a level; the last point's stand across the edge that it is on."""
+    if len(levels[last]) > 1:
+        names(axes, levels[last], map(point, levels[last]))
+    else:
+        (here,) = np.asarray(levels[last], dtype=float)
+        word(axes, here, point(levels[last][0]), _rising(levels[last - 1]))
 
 
 def _rising(points):

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from .. import numeric
 from ..display import number, point
 from ..palette import FIRST, INK, QUIET, SECOND
-from .parts import curve, polygon, word
+from .parts import curve, outer_normal, polygon, word
 from .style import STYLE
 
 PLACES = (Fraction(0), Fraction(1, 3), Fraction(2, 3), Fraction(1))
@@ -71,13 +71,7 @@ def _arrows(axes, starts, tips):
 def _labels(axes, points, places):
     """Write each t, the number alone, beside its point, on the side the curve bends away from, where names part."""
     for t in places:
-        place, first, second = (
-            np.asarray(value, dtype=float)
-            for value in (numeric.evaluate(points, t), *(numeric.derivative(points, t, r) for r in (1, 2)))
-        )
-        turn = first[0] * second[1] - first[1] * second[0]
-        away = np.sign(turn) * np.array([first[1], -first[0]])
-        word(axes, place, number(t), away)
+        word(axes, np.asarray(numeric.evaluate(points, t), dtype=float), number(t), outer_normal(points, t))
 
 
 def _frame(axes, points):

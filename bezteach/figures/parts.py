@@ -3,6 +3,7 @@
 import numpy as np
 
 from .. import numeric
+from ..naming import outward
 from .style import SAMPLES
 
 
@@ -29,3 +30,15 @@ def word(axes, place, text, away):
         va="center" if abs(away[1]) < 0.35 else "bottom" if away[1] > 0 else "top",
         bbox={"boxstyle": "square,pad=0.1", "facecolor": "white", "edgecolor": "none", "alpha": 0.8},
     )
+
+
+def names(axes, points, texts):
+    """Write a name beside each point of a polygon, off it."""
+    for place, text, way in zip(np.asarray(points, dtype=float), texts, outward(points), strict=True):
+        word(axes, place, text, way)
+
+
+def outer_normal(points, t):
+    """The normal at t on the side that the curve bends away from; 0 where it goes straight on."""
+    first, second = (np.asarray(numeric.derivative(points, t, r), dtype=float) for r in (1, 2))
+    return np.sign(first[0] * second[1] - first[1] * second[0]) * np.array([first[1], -first[0]])

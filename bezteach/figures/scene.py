@@ -6,6 +6,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Polygon
 
 from .. import numeric
+from ..naming import outward
 from ..palette import FIRST, INK, QUIET, SECOND
 from .style import SAMPLES, STYLE
 
@@ -84,11 +85,8 @@ def _below(axes, points, mark):
 
 
 def _names(axes, points, mark):
-    for i, (place, word) in enumerate(zip(points, mark.words, strict=True)):
-        neighbours = [points[j] for j in (i - 1, i + 1) if 0 <= j < len(points)]
-        away = place - np.mean(neighbours or [place], axis=0)
-        away = away / np.hypot(*away) if away.any() else np.array([0.0, 1.0])
-        axes.annotate(word, place, xytext=16 * away, textcoords="offset points", ha="center", va="center")
+    for place, word, way in zip(points, mark.words, outward(points), strict=True):
+        axes.annotate(word, place, xytext=16 * way, textcoords="offset points", ha="center", va="center")
 
 
 DRAWN = {

@@ -12,7 +12,7 @@ from functools import cache
 from . import errata as _errata
 from .claims import CLAIMS as _ALL
 from .judging import Judged, judged
-from .show import errata_shown, shown
+from .show import errata_shown, erratum_shown, shown
 from .show import proof as _proof
 from .sources import READINGS
 
@@ -29,6 +29,7 @@ __all__ = [
     "proof",
     "show",
     "show_errata",
+    "show_slip",
     "slip",
 ]
 
@@ -95,6 +96,20 @@ def errata():
 def show_errata(source, kind):
     """The slips of one source, "refuted" or "amended" ones, to look at in a notebook."""
     return errata_shown(slip for slip in _errata.errata({source: READINGS[source]}, CLAIMS) if slip.slip.kind == kind)
+
+
+def show_slip(source, id):
+    """What a source prints wrongly at a claim, and why it will not do, to look at; ``ValueError`` as in ``slip``.
+
+    >>> show_slip("games", "joins/g1")
+    games, joins, G1  [refuted]
+      printed  G1: the three points are on one line
+      fails    P_{n-1} = (1, 0), P_n = Q_0 = (0, 0), Q_1 = (1, 0) are on one line, and the tangent turns round: \
+P_n must lie strictly between the two others
+    """
+    wrong = slip(source, id)
+    rows = [row for row in READINGS[source] if row.slip is wrong]
+    return erratum_shown(next(_errata.errata({source: rows}, CLAIMS)))
 
 
 def places(id):

@@ -1,11 +1,15 @@
 """A claim for a reader: what it says, where it stands, whether it holds, and why, line by line; and the slips."""
 
+import re
+
 from bezteach.display import Page, escaped
 from bezteach.symbolic import Derivation, Step, latex
 
 from .claim import Argument, Chain, Computed, Known, Shown, given_latex, statement_latex
 from .report import erratum_lines, plain
 
+INDEXED = re.compile(r"(\b[A-Za-z]_(?:\{[^{}]*\}|\w+)(?:\^(?:\{[^{}]*\}|\w))?|\b[A-Za-z]\^(?:\{[^{}]*\}|\w))")
+LONG = 110  # characters of LaTeX that fit into a line
 MARK = {Known: "claim", Shown: "proved", Computed: "computed"}
 
 
@@ -33,7 +37,7 @@ def _text(judged, places, steps):
     yield from (f"  {source}, {place}" for source, place in places)
     if isinstance(claim.statement, Argument):
         yield f"{judged.status} ({judged.method})"
-        for number, step in _numbered(claim):
+        for number, step in _numbered(claim) if steps else ():
             beside = f" {plain(step.statement)}" if isinstance(step, Shown) else ""
             yield f"  {number}. [{_mark(step)}] {step.text}{beside}"
         return
@@ -49,12 +53,12 @@ def _text(judged, places, steps):
 def _markdown(judged, places, steps):
     claim = judged.claim
     where = "; ".join(f"{source}, {place}" for source, place in places)
-    yield f"**{escaped(claim.title)}**" + f" ({escaped(where)})" * bool(where)
+    yield f"**{_words(claim.title)}**" + f" ({escaped(where)})" * bool(where)
     if isinstance(claim.statement, Argument):
         yield f"**{judged.status}**: {escaped(judged.method)}"
-        yield "\n".join(
-            f"{number}. *{_mark(step)}*: {escaped(step.text)}{_beside(step)}" for number, step in _numbered(claim)
-        )
+        if steps:
+            lines = (f"*{_mark(step)}*: {_words(step.text)}{_beside(step)}" for step in claim.statement.steps)
+            yield "\n".join(f"{number}. {line}" for number, line in enumerate(lines, 1))
         return
     yield formula(claim.statement, claim.given)
     yield f"**{judged.status}**: {escaped(judged.method)}"
@@ -77,13 +81,24 @@ def formula(statement, given):
     return "$$\\begin{aligned}" + r" \\[1ex] ".join(rows) + where + "\\end{aligned}$$"
 
 
+def _words(text):
+    """Words as Markdown, letters with an index set as formulas."""
+    return "".join(f"${part}$" if k % 2 else escaped(part) for k, part in enumerate(INDEXED.split(text)))
+
+
 def _numbered(claim):
     return enumerate(claim.statement.steps, 1)
 
 
 def _beside(step):
-    """The statement of a step that is proved, in the line of its words."""
-    return f" ${statement_latex(step.statement)}$" if isinstance(step, Shown) else ""
+    """The statement of a step that is proved, in the line of its words; a long one in lines of its own."""
+    if not isinstance(step, Shown):
+        return ""
+    written = statement_latex(step.statement)
+    if len(written) <= LONG or " = " not in written:
+        return rf" $\displaystyle {written}$"
+    left, right = written.split(" = ", 1)
+    return rf" $\begin{{aligned}}[t] &{left} \\ &= {right}\end{{aligned}}$"
 
 
 def _mark(step):
@@ -94,26 +109,30 @@ def _mark(step):
 def errata_shown(errata):
     """Slips as a numbered list: where, what is printed, why it will not do, and what is true."""
     text, pages = [], []
-    for number, slip in enumerate(errata, 1):
-        text += [*erratum_lines(slip), ""]
-        pages.append(_erratum(number, slip))
+    for number, erratum in enumerate(errata, 1):
+        text += [*erratum_lines(erratum), ""]
+        pages += [f"**{number}. {_place(erratum)}", *_fault(erratum), _correction(erratum)]
     return Page("\n".join(text).rstrip(), "\n\n".join(pages))
 
 
-def _erratum(number, slip):
-    printed = (
-        f"“{escaped(slip.slip.printed)}”"
-        if isinstance(slip.slip.printed, str)
-        else formula(slip.slip.printed, slip.slip.given)
-    )
-    argued = isinstance(slip.claim.statement, Argument)
-    correct = escaped(slip.claim.title) if argued else formula(slip.claim.statement, slip.claim.given)
-    why = "It fails at" if slip.slip.kind == "refuted" and not slip.slip.holds else "Because"
-    return "\n\n".join(
-        [
-            f"**{number}. {escaped(slip.source)}, {escaped(slip.place)}** ({slip.slip.kind})",
-            f"Printed: {printed}",
-            f"{why}: {escaped(slip.why)}",
-            f"Correct (`{slip.claim.id}`): {correct}",
-        ]
-    )
+def erratum_shown(erratum):
+    """A slip beside its claim, which says what is true: where, what is printed, and why it will not do."""
+    return Page("\n".join(erratum_lines(erratum)[:-1]), "\n\n".join([f"**{_place(erratum)}", *_fault(erratum)]))
+
+
+def _place(erratum):
+    return f"{escaped(erratum.source)}, {escaped(erratum.place)}** ({erratum.slip.kind})"
+
+
+def _fault(erratum):
+    slip = erratum.slip
+    printed = f"“{_words(slip.printed)}”" if isinstance(slip.printed, str) else formula(slip.printed, slip.given)
+    why = "It fails at" if slip.kind == "refuted" and not slip.holds else "Because"
+    return f"Printed: {printed}", f"{why}: {_words(erratum.why)}"
+
+
+def _correction(erratum):
+    claim = erratum.claim
+    argued = isinstance(claim.statement, Argument)
+    correct = _words(claim.title) if argued else formula(claim.statement, claim.given)
+    return f"Correct (`{claim.id}`): {correct}"

@@ -10,21 +10,31 @@ from bezteach.numeric.curve import de_casteljau, elevate, flatten, segment, spli
 from bezteach.numeric.derivatives import curvature, derivative, hodograph
 from bezteach.numeric.distance import polygon_gap
 from bezteach.numeric.evaluation import evaluate, evaluate_accurate, sample
+from bezteach.numeric.fitting import fit
+from bezteach.numeric.intersection import box, intersections
+from bezteach.numeric.reduction import lower
+from bezteach.numeric.roots import roots, sign_changes
 
 __all__ = [
     "bernstein",
+    "box",
     "curvature",
     "de_casteljau",
     "derivative",
     "elevate",
     "evaluate",
     "evaluate_accurate",
+    "fit",
     "flatten",
     "from_power",
     "hodograph",
+    "intersections",
+    "lower",
     "polygon_gap",
+    "roots",
     "sample",
     "segment",
+    "sign_changes",
     "split",
     "subdivide",
     "to_power",

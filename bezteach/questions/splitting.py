@@ -2,13 +2,18 @@
 
 from fractions import Fraction as F
 
+import numpy as np
+
 from ..examples import EXAMPLES
-from ..numeric import segment, split
+from ..numeric import box, roots, segment, sign_changes, split, subdivide
 from .asking import Choice, Entry, Goal
 
 CUBIC = EXAMPLES["deck/split"].given["points"]
 ARCH = EXAMPLES["deck/segment"].given["points"]
 PARABOLA = EXAMPLES["games/quadratic"].given["points"]
+HILL = ((0, 0), (2, 4), (4, -2))
+TWO_ROOTS = (2, -3, 1)
+RAILS = ((0, 0), (2, 2)), ((1, 0), (3, 2))  # parallel, and their boxes overlap
 
 
 def _cubic_left():
@@ -51,6 +56,34 @@ def _arch_part():
         (front, "This is the part from 0 to 2/3: one more cut."),
         (split(ARCH, F(1, 3))[1], "This is the part from 1/3 to 1: one more cut."),
     ]
+
+
+def _hill_top():
+    """The greater height of the boxes of both halves."""
+    return box(subdivide(HILL, 1))[:, 1, 1].max()
+
+
+def _two_roots_left():
+    left, right = split(TWO_ROOTS, F(1, 2))
+    return [
+        (right, "These are the heights of the right half."),
+        (left[::-1], "The right numbers, from the cut to the start."),
+        ((left[0], F(-1), left[-1]), "The inner height is the mean of the first two, not of the last two."),
+        ((2, -3, left[-1]), "The polygon of the whole is no longer needed. Which number is between the first two?"),
+    ]
+
+
+def _rails_apart():
+    """After how many halvings of both segments no box of the one meets a box of the other."""
+    return next(k for k in range(9) if not any(_meet(p, q) for p in _boxes(0, k) for q in _boxes(1, k)))
+
+
+def _boxes(which, depth):
+    return box(subdivide(RAILS[which], depth))
+
+
+def _meet(one, other):
+    return (one[0] <= other[1]).all() and (other[0] <= one[1]).all()
 
 
 QUESTIONS = {
@@ -128,6 +161,52 @@ QUESTIONS = {
         },
         "1/4",
     ),
+    "splitting/finer": Choice(
+        "The polyline shall be a hundred times closer to the curve. How many times as many pieces does it need?",
+        {
+            "2": "One halving leaves a quarter of the distance. A hundredth is much less.",
+            "10": "Yes: the distance falls with the square of the number of pieces.",
+            "100": "That many are needed if the distance falls like 1/N. It falls faster.",
+        },
+        "10",
+    ),
+    "splitting/box-top": Choice(
+        "The parabola (0,0) (1,2) (2,0): its box reaches up to y = 2. How high does the curve reach?",
+        {
+            "to y = 2": "Only b₁ is that high, and the curve does not pass through b₁.",
+            "to y = 1": "Yes: at t = 1/2, halfway up. The box is a bound, not the range itself.",
+            "higher than y = 2": "Each point of the curve is an average of the control points.",
+        },
+        "to y = 1",
+    ),
+    "splitting/two-changes": Choice(
+        "The heights 1, -1, 2 change their sign twice. How many roots are there between 0 and 1?",
+        {
+            "two": "Two is the most. The polygon dips under the axis; must the curve follow?",
+            "one": "At both ends the polynomial is positive. It cannot pass the axis once only.",
+            "two or none: the signs do not tell": "Yes: the changes, or fewer by an even number.",
+            "none": "It may be so, but the signs alone do not tell: think of 1, -9, 2.",
+        },
+        "two or none: the signs do not tell",
+    ),
+    "splitting/boxes-overlap": Choice(
+        "The boxes of two curves overlap. What follows?",
+        {
+            "the curves meet": "Draw a parabola and, above it but under b₁, a horizontal line.",
+            "the curves do not meet": "Two segments that cross in their middle have overlapping boxes.",
+            "nothing": "Yes: only boxes that are apart tell something. So halve, and look again.",
+        },
+        "nothing",
+    ),
+    "splitting/most-crossings": Choice(
+        "A line meets a cubic at most three times. Two cubics, not parts of one curve, meet at most",
+        {
+            "3 times": "That is for a line. Bend it into a second cubic: it may come back for more.",
+            "6 times": "Each bend brings the second cubic back to the first. Degrees are not added here.",
+            "9 times": "Yes: the product of the degrees. This is Bézout's theorem; we do not prove it.",
+        },
+        "9 times",
+    ),
     "splitting/exercise-cut-point": Entry(
         "Exercise 1. Where is the cubic (0,0) (1,3) (2,1) (3,3) cut at t = 1/2?",
         lambda: split(CUBIC, F(1, 2))[0][-1],
@@ -180,7 +259,72 @@ QUESTIONS = {
         },
         "those of the curve, in reverse order",
     ),
+    "splitting/exercise-box": Entry(
+        "Exercise 9. The parabola (0,0) (2,4) (4,-2) is cut at t = 1/2, and each half gets a box. "
+        "How high does the higher box reach?",
+        _hill_top,
+        lambda: [
+            (4, "That is the box of the whole curve."),
+            (
+                split(HILL, F(1, 2))[0][-1][1],
+                "That is the height of the cut. The left half has an inner control point.",
+            ),
+            (1, "That is the inner point of the right half. Look at all six control points."),
+        ],
+        "7/3",
+    ),
+    "splitting/exercise-left-heights": Entry(
+        "Exercise 10. A polynomial has the heights 2, -3, 1. Cut it at t = 1/2: the heights of the left half.",
+        lambda: split(TWO_ROOTS, F(1, 2))[0],
+        _two_roots_left,
+        "(1, 2, 7/2)",
+    ),
+    "splitting/exercise-count": Choice(
+        "Exercise 11. The same polynomial, 2, -3, 1, and its right half too: what do the signs tell now?",
+        {
+            "there is no root": "Look at the ends of the left half: they have opposite signs.",
+            "two roots or none": "So much the signs of the whole tell. Count the changes in each half.",
+            "two roots, one in each half": "Yes: one change in each half, and at the cut it is not zero.",
+            "two roots, both in the left half": "Count the changes in the right half too.",
+        },
+        "two roots, one in each half",
+    ),
+    "splitting/exercise-apart": Entry(
+        "Exercise 12. Two parallel segments: (0,0) (2,2) and (1,0) (3,2). Both are halved, again and again. "
+        "After how many halvings does no box of one touch a box of the other?",
+        _rails_apart,
+        lambda: [
+            (0, "The two boxes are 2 wide, and one begins 1 further to the right."),
+            (1, "Draw the four boxes: each is 1 wide. Two of them have an edge in common."),
+            (2, "Now they have corners in common, and boxes that touch are not apart."),
+        ],
+        "7",
+    ),
 }
+
+
+def _promised(state, depth):
+    """The square of the bound n D / (8 4^depth) on the distance of polygons and curve: the ledger's limit/halving."""
+    points = np.array(state.points, object)
+    longest = max((bend @ bend for bend in np.diff(points, 2, axis=0)), default=0)
+    return longest * F(len(points) - 1, 8 * 4**depth) ** 2
+
+
+def _just_enough(state):
+    """So many halvings promise a distance of at most 1/50, and one less does not."""
+    return state.depth > 0 and _promised(state, state.depth) <= F(1, 50) ** 2 < _promised(state, state.depth - 1)
+
+
+def _heights(state):
+    """The heights of the control points over the board's line: the Bernstein coefficients of the curve's own height."""
+    (x0, y0), (x1, y1) = state.line
+    return [(x1 - x0) * (y - y0) - (y1 - y0) * (x - x0) for x, y in state.points]
+
+
+def _three_changes_one_root(state):
+    """The polygon passes the line three times, the curve surely once only."""
+    heights = _heights(state)
+    return sign_changes(heights) == 3 and [root.certain for root in roots(heights)] == [True]
 
 
 def _middle_edge(state):
@@ -194,5 +338,15 @@ GOALS = {
         "Task: choose a and b so that the part's middle edge is horizontal and 2 long, from left to right.",
         lambda state: state.points == ARCH and _middle_edge(state) == (2, 0),
         "Reached. How are a and b related, and how does the length of the middle edge depend on them?",
+    ),
+    "splitting/just-enough": Goal(
+        "Task: halve just often enough that the bound promises a distance of at most 1/50.",
+        _just_enough,
+        "Reached: one halving less is not enough. How many more does a polygon ten times as large need?",
+    ),
+    "splitting/three-changes-one-root": Goal(
+        "Task: the polygon must still pass the axis three times, the curve once only.",
+        _three_changes_one_root,
+        "Reached: three changes of sign, one root. Which numbers of roots are impossible with three changes?",
     ),
 }

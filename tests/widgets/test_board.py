@@ -13,9 +13,10 @@ from scipy.spatial import ConvexHull
 from sympy import Rational
 
 from bezteach import numeric
+from bezteach.numeric import sign_changes
 from bezteach.widgets import Board
 from bezteach.widgets.board import LAYERS, svg
-from bezteach.widgets.board.counting import roots_inside, sign_changes
+from bezteach.widgets.board.counting import roots_inside
 from bezteach.widgets.board.export import page
 from bezteach.widgets.board.scene import end_circle, hull, scene
 from bezteach.widgets.board.state import State, exact, from_json, state_of, to_json

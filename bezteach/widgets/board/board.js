@@ -331,16 +331,20 @@ function vectorView(marks) {
   return [-half, -half, half, half];
 }
 
-function beside(pixels, size) {
-  return pixels.map((dot, i) => {
-    const near = [pixels[i - 1], pixels[i + 1]].filter(Boolean);
-    if (!near.length) near.push(dot);
-    const away = subtract(dot, [0, 1].map((axis) => near.reduce((sum, p) => sum + p[axis], 0) / near.length)); // prettier-ignore
-    const length = Math.hypot(...away);
-    const unit = length > 1 ? away.map((c) => c / length) : [0, -1];
-    return dot.map((c, axis) => c + AWAY * size * unit[axis]);
-  });
+const STRAIGHT = 1e-6;
+
+function outward(here, neighbours) {
+  const ways = neighbours.map((there) => subtract(there, here)).filter(([x, y]) => x || y);
+  const units = ways.map((way) => way.map((c) => c / Math.hypot(...way)));
+  const bisector = [0, 1].map((axis) => -units.reduce((sum, unit) => sum + unit[axis], 0));
+  const length = Math.hypot(...bisector);
+  if (length > STRAIGHT) return bisector.map((c) => c / length);
+  const [x, y] = units[0] ?? [1, 0];
+  return x > STRAIGHT || (Math.abs(x) <= STRAIGHT && y > 0) ? [y, -x] : [-y, x]; // pixels count downwards
 }
+
+const beside = (pixels, size) =>
+  pixels.map((dot, i) => together(dot, outward(dot, [pixels[i - 1], pixels[i + 1]].filter(Boolean)), AWAY * size));
 
 const rounded = (x) => x.toFixed(1);
 const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);

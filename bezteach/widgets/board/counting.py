@@ -1,18 +1,10 @@
-"""Changes of sign, counted exactly: of a row of numbers, and of a polynomial between 0 and 1."""
+"""Changes of sign of a polynomial between 0 and 1, counted exactly."""
 
-from itertools import dropwhile, pairwise
+from itertools import dropwhile
 from math import comb, lcm
 from operator import not_
 
-
-def sign_changes(numbers):
-    """How often the sign changes along a row of numbers; zeros are passed over.
-
-    >>> sign_changes([1, 0, -2, -1, 0, 3])
-    2
-    """
-    signs = [number > 0 for number in numbers if number]
-    return sum(one != other for one, other in pairwise(signs))
+from ...numeric import sign_changes
 
 
 def roots_inside(coefficients):

@@ -14,7 +14,7 @@ def pieces_said(state):
 
 
 def frames_said(state):
-    return [Block(f"A-frame at {name_of(3 * k)}", _tips(a_frame(*joint))) for k, joint in _numbered(state)] or ALONE
+    return [_frame(*joint, name_of(3 * k)) for k, joint in _numbered(state)] or ALONE
 
 
 def local_said(state):
@@ -59,11 +59,12 @@ def _class(name, condition, left_over):
     return name, "yes" if condition.holds else "no", f"{left_over}: {point(condition.residual)}"
 
 
-def _tips(tips):
+def _frame(left, right, lengths, name):
+    title, tips = f"A-frame at {name}: C1 with one tip is C2", a_frame(left, right, lengths)
     if tips is None:
-        return (("none: a piece is no cubic, or has no interval",),)
-    said = tuple((f"tip from the {side}", point(tip)) for side, tip in zip(("left", "right"), tips, strict=True))
-    return (*said, ("with C1", "C2" if (tips[0] == tips[1]).all() else "not C2: the tips differ"))
+        return Block(title, (("none: a piece is no cubic, or has no interval",),))
+    sides = zip(("left", "right"), tips, strict=True)
+    return Block(title, tuple((f"tip from the {side}", point(tip)) for side, tip in sides))
 
 
 def _cubics(kind, cubics):

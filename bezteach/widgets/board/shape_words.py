@@ -5,8 +5,9 @@ from fractions import Fraction
 import numpy as np
 
 from ...display import number, point
+from ...numeric import sign_changes
 from .blocks import Block, cells, exact_array, name_of, root_of, times
-from .counting import roots_inside, sign_changes
+from .counting import roots_inside
 from .crossings import heights
 from .scene import hull
 
@@ -72,7 +73,7 @@ def line_said(state):
     found = heights(exact_array(state.points), exact_array(state.line)).tolist()
     return [
         Block("Heights over the line, times the distance of its two points", cells([number(h) for h in found])),
-        Block("How often the line passes (变差缩减)", _passages(found)),
+        Block("The line passes, the curve never more often (变差缩减)", _passages(found)),
     ]
 
 
@@ -84,7 +85,7 @@ def _passages(found):
     ends = ((found[0], name_of(0), "begin"), (found[-1], name_of(len(found) - 1), "end"))
     rows = [
         ("through the polygon", times(sign_changes(found))),
-        ("through the curve", f"{times(passages)}: never more than through the polygon"),
+        ("through the curve", times(passages)),
     ]
     rows += [("touches the curve", times(touches))] if touches else []
     rows += [

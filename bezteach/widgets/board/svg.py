@@ -5,6 +5,7 @@ from html import escape
 import numpy as np
 
 from ... import numeric
+from ...naming import outward
 from ...palette import FIRST, INK, QUIET, SECOND
 
 COLOURS = {"ink": INK, "first": FIRST, "second": SECOND, "quiet": QUIET, "paper": "#ffffff", "none": "none"}
@@ -119,12 +120,9 @@ def drawn(mark, frame):
 
 
 def beside(pixels):
-    """Places for names: away from the neighbours of each point."""
-    for i, dot in enumerate(pixels):
-        neighbours = [pixels[j] for j in (i - 1, i + 1) if 0 <= j < len(pixels)]
-        away = dot - np.mean(neighbours or [dot], axis=0)
-        length = float(np.hypot(*away))
-        yield dot + AWAY * (away / length if length > 1 else np.array([0, -1]))
+    """Places for names, off the polygon; pixels count downwards."""
+    down = np.array([1, -1])
+    return pixels + AWAY * down * outward(pixels * down)
 
 
 def _look(style, fill):

@@ -1,7 +1,10 @@
 """Explorers of curves in several pieces: two cubics that meet, and splines through data points."""
 
 from ..board import Board
+from ..board.blocks import exact_array
+from ..board.joining import a_frame
 from ..board.state import exact, points_of
+from ..board.svg import room
 
 
 def explore_join(left, right, lengths=(1, 1), **settings):
@@ -22,7 +25,8 @@ def explore_join(left, right, lengths=(1, 1), **settings):
     if h <= 0 or k <= 0:
         raise ValueError(f"the intervals have lengths {h} and {k}: both must be positive")
     layers = ("polygon", "pieces", "frames")
-    return Board((*left, *right[1:]), h / (h + k), **{"show": layers, "offer": layers} | settings)
+    view = room([*left, *right, *a_frame(exact_array(left), exact_array(right), (h, k))])
+    return Board((*left, *right[1:]), h / (h + k), **{"show": layers, "offer": layers, "view": view} | settings)
 
 
 def explore_spline(data, **settings):

@@ -7,7 +7,7 @@ from ...display import number
 from ...examples import EXAMPLES
 from ..board import Board
 from ..board.blocks import Block
-from ..board.counting import roots_inside, sign_changes
+from ..board.counting import roots_inside
 from ..board.marks import STYLES, Mark
 from .sliders import beside, slider
 
@@ -48,7 +48,7 @@ def quartic_blocks(points):
     The graph's inflection points are counted exactly.
     """
     heights = [y for _, y in points]
-    edges = sign_changes(a - 2 * b + c for a, b, c in zip(heights, heights[1:], heights[2:], strict=False))
+    edges = numeric.sign_changes(numeric.hodograph(heights, 2))
     second = tuple(numeric.hodograph(heights, 2))
     turns = (roots_inside(second) or (0, 0))[0]
     curve = (
