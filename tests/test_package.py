@@ -49,6 +49,8 @@ ARROWS = {
     "questions": {"numeric", "examples"},
     "palette": set(),
     "naming": set(),
+    "coverage": {"display", "examples", "setup"},
+    "glossary": {"coverage", "display"},
     "figures": {"numeric", "display", "palette", "naming"},
     "bench": {"parsing", "proof"},
     "ledger": {"proof", "symbolic", "display", "examples"},

@@ -14,6 +14,7 @@ from .functions import areas, basis, decay, graph, graphs, stacked
 from .joins import curvatures, reach
 from .scene import drawn
 from .shape import beads, heights, moved
+from .space import space
 from .style import show
 
 __all__ = [
@@ -43,6 +44,7 @@ __all__ = [
     "reach",
     "segment",
     "show",
+    "space",
     "signs",
     "split",
     "stacked",

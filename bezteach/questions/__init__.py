@@ -4,10 +4,10 @@ Pure data and functions; ``widgets.ask`` puts a question on the screen. The righ
 and feedback names the mistake without telling the answer.
 """
 
-from . import basis, casteljau, curve, definitions, derivatives, elevation, joining, operator, splitting, why
+from . import basis, casteljau, curve, definitions, derivatives, elevation, joining, operator, splitting, start, why
 from .asking import Choice, Entry, Goal, judge, read
 
-LESSONS = (why, definitions, basis, curve, casteljau, operator, derivatives, splitting, elevation, joining)
+LESSONS = (start, why, definitions, basis, curve, casteljau, operator, derivatives, splitting, elevation, joining)
 QUESTIONS = {name: question for lesson in LESSONS for name, question in lesson.QUESTIONS.items()}
 GOALS = {name: goal for lesson in LESSONS for name, goal in getattr(lesson, "GOALS", {}).items()}
 
