@@ -56,7 +56,7 @@ PICTURES = (
     Picture("games", "fitting", "samples and a curve fitted to them", "01", "figures.fitted("),
     Picture("games", "power basis", "a parabola with its coefficients as points", "01", "figures.two_bases("),
     Picture("games", "two kinds of modelling", "one function, moved in both bases", "01", "widgets.explore_powers("),
-    Picture("games", "Bernstein basis", "the bases of the degrees 0, 1, 2, ...", "03", "widgets.explore_basis("),
+    Picture("games", "Bernstein basis", "the bases of the degrees 0 to 4", "02", "figures.bases("),
     Picture("games", "another example", "a quadratic, with dots at equal steps of t", "01", "figures.clock("),
     Picture("games", "Bézier curves", "a cubic and its control polygon", "04", "widgets.Board("),
     Picture("games", "Bézier curves", "a more complicated curve", "04", "figures.moved("),
@@ -74,7 +74,7 @@ PICTURES = (
     Picture("notes", "2.3.3", "degree elevation", "09", "widgets.explore_elevation("),
     Picture("notes", "2.3.4", "subdivision", "08", "figures.split("),
     Picture("notes", "2.3.5", "curve range: box and hull", "08", "figures.boxes("),
-    Picture("transcript", "Bernstein basis", "the bases of low degree", "03", "widgets.explore_basis("),
+    Picture("transcript", "Bernstein basis", "the bases of low degree", "02", "figures.bases("),
     Picture("transcript", "joining Bézier curves", "two cubics that meet", "10", "widgets.explore_join("),
     Picture("transcript", "joining Bézier curves", "control points beside a data point", "10", "joins.catmull_rom("),
 )

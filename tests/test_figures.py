@@ -121,6 +121,14 @@ def test_decay_draws_the_values_beside_the_guide():
     assert holds(axes, [(0, 1), (1, 0.25), (2, 0.0625)])
 
 
+def test_bases_draws_each_degree_in_a_panel_of_its_own():
+    figure = figures.bases((0, 1, 3))
+    assert [len(axes.get_lines()) for axes in figure.axes] == [1, 2, 4]
+    middle = [line.get_ydata()[32] for line in figure.axes[2].get_lines()]
+    assert np.allclose(middle, [1 / 8, 3 / 8, 3 / 8, 1 / 8])
+    assert figure.get_label().endswith("degree 0, 1 function; degree 1, 2 functions; degree 3, 4 functions.")
+
+
 @pytest.mark.parametrize("name", ALL)
 def test_every_picture_says_in_words_what_it_shows(name):
     assert len(ALL[name]().get_label()) > 40

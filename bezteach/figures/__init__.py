@@ -10,7 +10,7 @@ from .derivatives import hodograph
 from .elevation import elevated, lowered, raised, two_ways
 from .errors import error_growth
 from .fitting import clock, fitted, nudged, two_bases
-from .functions import areas, basis, decay, graph, graphs, stacked
+from .functions import areas, bases, basis, decay, graph, graphs, stacked
 from .joins import curvatures, reach
 from .scene import drawn
 from .shape import beads, heights, moved
@@ -19,6 +19,7 @@ from .style import show
 
 __all__ = [
     "areas",
+    "bases",
     "basis",
     "beads",
     "boxes",

@@ -31,6 +31,24 @@ def basis(n):
 
 
 @mpl.rc_context(STYLE)
+def bases(degrees):
+    """The Bernstein functions of several degrees over [0, 1], a panel a degree, at most three a row."""
+    columns = min(len(degrees), 3)
+    rows = -(-len(degrees) // columns)
+    figure = Figure(figsize=(3.5 * columns, 2.7 * rows), layout="constrained")
+    panels = figure.subplots(rows, columns, squeeze=False, sharey=True).ravel()
+    for axes, n in zip(panels, degrees, strict=False):
+        for i, row in enumerate(np.eye(n + 1)):
+            _graph(axes, row, i)
+        axes.set(title=f"degree {n}", xticks=[0, 0.5, 1], xticklabels=["0", "1/2", "1"], ylim=(0, 1.04))
+    for axes in panels[len(degrees) :]:
+        axes.set_axis_off()
+    counted = "; ".join(f"degree {n}, {n + 1} function{'s' * (n > 0)}" for n in degrees)
+    figure.set_label(f"The Bernstein functions over [0, 1], a panel a degree: {counted}.")
+    return figure
+
+
+@mpl.rc_context(STYLE)
 def stacked(n):
     """The n+1 Bernstein functions of degree n on top of each other: at every t they fill the height 1."""
     figure, axes = _unit_square()

@@ -1,9 +1,10 @@
 """The questions of the lesson on the Bernstein basis."""
 
 from fractions import Fraction as F
+from itertools import pairwise
 
 from ..numeric import bernstein, from_power, segment
-from .asking import Choice, Entry
+from .asking import Choice, Entry, Goal
 
 
 def _at_a_third():
@@ -215,5 +216,21 @@ QUESTIONS = {
             ((0, 0, F(1, 2)), "At u = 1 it is t² with t = 1/2."),
         ],
         "(0, 1, 1/2)",
+    ),
+}
+
+
+def _straight(state):
+    """Heights that rise or fall by equal steps, over the places 0, 1/3, 2/3, 1."""
+    heights = [y for _, y in state.points]
+    steps = {later - now for now, later in pairwise(heights)}
+    return len(heights) == 4 and len(steps) == 1 and steps != {0}
+
+
+GOALS = {
+    "basis/straight": Goal(
+        "Task: make the graph a straight line, but not a horizontal one.",
+        _straight,
+        "Reached: heights at equal steps. Look at the polygon, too.",
     ),
 }

@@ -11,6 +11,8 @@ from .blocks import Block, exact_array, listed, name_of, root_of, times
 from .join_words import frames_said, local_said, natural_said, pieces_said
 from .shape_words import circle_said, hull_said, line_said
 
+DATA = {"local", "natural"}  # layers for which the points are data
+
 
 def blocks(state):
     """The blocks of the layers shown, in their order; the control points come first.
@@ -21,7 +23,8 @@ def blocks(state):
     Control points ('(0, 0)', '(1, 2)', '(2, 0)')
     Control points in degree 3 (升阶) ('(0, 0)', '(2/3, 4/3)', '(4/3, 4/3)', '(2, 0)')
     """
-    said = [Block("Control points", listed(state.points))]
+    given = "Data points" if DATA & {*state.show} else "Control points"
+    said = [Block(given, listed(state.points))]
     for name in state.show:
         said += SAID[name](state) if name in SAID else []
     return said
