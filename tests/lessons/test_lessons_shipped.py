@@ -301,7 +301,7 @@ def with_another_digit(image):
 @pytest.mark.parametrize(("conftest", "seen"), [("", [0, 2]), ((ROOT / "conftest.py").read_text(), [0, 1, 2, 3])])
 def test_a_corrupted_lesson_fails(tmp_path, nested_run, conftest, seen):
     """nbval alone sees the digit in a picture and the character in a text; with conftest, also pixels and emptied."""
-    copy, places = corrupted(read(LESSONS[0]))
+    copy, places = corrupted(read(ROOT / "lessons" / "02-definitions.ipynb"))
     nbformat.write(copy, tmp_path / "copy.ipynb")
     (tmp_path / "conftest.py").write_text(conftest)
     told = nested_run(tmp_path, "-v", "--tb=no", "--nbval", "--nbval-current-env", "copy.ipynb")
