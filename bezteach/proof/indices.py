@@ -9,13 +9,25 @@ def with_indices(expr, letter):
         return expr
     if not isinstance(expr, Sum | Product):
         return _rebuilt(expr, [with_indices(part, letter) for part in expr.args])
-    function, inner, limits = with_indices(expr.function, letter), list(expr.limits), []
+    function, inner, limits = expr.function, list(expr.limits), []
     while inner:  # its ends are outside, and stay
         index, *ends = inner.pop()
         other = {index: letter(index, *ends)}
-        function, inner = function.xreplace(other), [limit.xreplace(other) for limit in inner]
+        function, inner = renamed(function, other), [renamed(limit, other) for limit in inner]
         limits.insert(0, (other[index], *ends))
-    return expr.func(function, *limits)
+    return expr.func(with_indices(function, letter), *limits)
+
+
+def renamed(expr, names):
+    """The expression with other symbols, {symbol: symbol}, and for the rest as it stands.
+
+    >>> from bezteach.symbolic import i, k
+    >>> renamed(Mul(i, 1 / i, evaluate=False), {i: k})
+    k/k
+    """
+    if expr in names:
+        return names[expr]
+    return _rebuilt(expr, [renamed(part, names) for part in expr.args]) if expr.args else expr
 
 
 def _rebuilt(expr, parts):

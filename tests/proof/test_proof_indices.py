@@ -22,7 +22,7 @@ from sympy import (
 from bezteach import bench
 from bezteach.proof import prove, statement
 from bezteach.proof.derivations import check_derivation
-from bezteach.symbolic import B, i, k, n, t
+from bezteach.symbolic import B, i, j, k, n, t
 
 COUNTED, HALVED = Symbol("s"), Symbol("m")  # whole numbers by their use
 POSITIVE = Symbol("q", integer=True, positive=True)
@@ -92,6 +92,44 @@ def test_an_index_of_a_derivation_has_only_the_signs_of_its_limits():
     assert judged.status in ("CHECKED", "UNDECIDED")
 
 
+def test_an_inner_index_goes_by_what_is_left_of_the_outer_one():
+    inner = Sum((n - 5) ** (j + 1), (j, k, i))  # a factor, so that SymPy does not make one sum of two
+    claim = Ge(SQUARE * Sum((k + 2) * inner, (k, -1, -1)) * (n - 6) + 2 * binomial(n, 6), 0, evaluate=False)
+    assert prove(claim, given={n: (5, oo)}).status in ("CHECKED", "UNDECIDED")  # false at n = 5, i = 9
+
+
+FAR = "(n+1)/(n-100) - n/(n-100) - 1/(n-100)"  # 0, but at n = 100
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        f"sum(k, k, 0, n + {FAR}) = n(n+1)/2",
+        f"sum(k, k, 0, n + {FAR}) >= 0",
+        f"b[n + {FAR}] = b[n]",
+        f"sum(B(i,n,t) b_i, i, {FAR}, n) = sum(B(i,n,t) b_i, i, 0, n)",
+        f"diff(t^n, t, n + {FAR}) = n!",
+        "sum(b[k+(k+1)/(k-100)-k/(k-100)-1/(k-100)],k,0,n) = sum(b_k,k,0,n)",
+    ],
+)
+def test_limits_indices_and_orders_have_values_before_they_are_simplified(text):
+    assert bench.judge(text).status == "CHECKED"
+
+
+@pytest.mark.parametrize(
+    ("text", "given"),
+    [
+        ("t/(1+E^2) + t E^2/(1+E^2) = t", ""),
+        ("t/(1+E^2)*b_2 + t/(1+E^2)*b_0 = t*b_0", ""),
+        ("(t^2+E^2)^(-n)*(t^2+E^2)^(n+1) b_0 = t^2*b_0+b_2", "0<t<1"),
+        ("B(1,2,1/(1+E^2)) t = B(1,2,E^2/(1+E^2)) t", "0<t<1"),
+    ],
+)
+def test_the_operator_is_no_number_whose_square_is_positive(text, given):
+    """1 + E^2 takes points with b_{j+2} = -b_j to 0."""
+    assert bench.judge(text, given).status == "UNDECIDED"
+
+
 def test_a_line_stands_as_it_is_written_until_it_is_known_to_have_a_value():
     """What SymPy would cancel is not defined at n = 100, where no value is tried."""
     total, last = Sum(k, (k, 0, n)), n * (n + 1) / 2
@@ -102,6 +140,9 @@ def test_a_line_stands_as_it_is_written_until_it_is_known_to_have_a_value():
     assert prove(Add(total, Mul(0, 1 / (n - 100), evaluate=False), evaluate=False), last).status == "CHECKED"
     below = Mul(Sum(k + 1, (k, -1, n)), Pow(n - 100, -1), n - 100, evaluate=False)  # its index is another symbol
     assert check_derivation([below, (n + 1) * (n + 2) / 2]).status in ("CHECKED", "UNDECIDED")
+    for pole in (3, 100):
+        within = Sum(Mul(k, Pow(k - pole, -1), k - pole, evaluate=False), (k, 0, n))
+        assert "PROVED" not in (prove(within, last).status, check_derivation([within, last]).status)
     assert check_derivation([total, last]).status == "PROVED"
 
 

@@ -3,7 +3,7 @@
 from sympy import S, expand
 
 from .edges import need, never
-from .size import MOST_TERMS
+from .size import MOST, MOST_TERMS
 from .terms import Failure, Term, factorial_of, power_of, times
 
 
@@ -21,7 +21,7 @@ def derivative(terms, variable, count, conditions):
         return [_often(term, variable, count, conditions) for term in terms]
     for _ in range(int(count)):
         terms = [derived for term in terms for derived in _once(term, variable, conditions)]
-        if len(terms) > MOST_TERMS:
+        if len(terms) > MOST_TERMS or sum(term.coefficient.count_ops() for term in terms) > MOST:
             raise Failure("a derivative with too many terms")
     return terms
 

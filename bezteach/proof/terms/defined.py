@@ -30,7 +30,7 @@ from sympy import (
 
 from bezteach.symbolic import B, E
 
-from ..indices import with_fresh_indices
+from ..indices import renamed, with_fresh_indices
 from ..inequalities.sign_of import Region, signs
 from .linear import is_whole_form, least
 from .terms import Failure
@@ -69,12 +69,12 @@ def _reals(ranges):
 def _check(expr, conditions, reals):
     if isinstance(expr, Sum):
         for index, low, high in expr.limits[::-1]:
-            _check_whole(expr, low, high)
+            _check_ends(expr, (low, high), conditions, reals)
             conditions = [*conditions, index - low, high - index]
         _check(expr.function, conditions, reals)
         return
     if isinstance(expr, Indexed):
-        _check_whole(expr, *expr.indices)
+        _check_ends(expr, expr.indices, conditions, reals)
         return
     if isinstance(expr, Pow):
         _check_power(expr, conditions, reals)
@@ -88,7 +88,7 @@ def _check(expr, conditions, reals):
         _check_whole(expr, *expr.args[:2])
     elif isinstance(expr, Derivative):
         for _, order in expr.variable_count:
-            _check_whole(expr, order)
+            _check_ends(expr, [order], conditions, reals)
             _check_not_negative(expr, order, conditions)
     elif isinstance(expr, Subs):
         for point in expr.point:
@@ -113,7 +113,14 @@ def _bodies(expr):
     else:
         return expr.args
     letters = {symbol: Dummy(symbol.name, integer=False) for symbol in bound}
-    return [part.xreplace(letters) for part in parts]
+    return [renamed(part, letters) for part in parts]
+
+
+def _check_ends(expr, forms, conditions, reals):
+    """Limits, indices and orders: whole numbers, and each with a value before anything in it is cancelled."""
+    _check_whole(expr, *forms)
+    for form in forms:
+        _check(form, conditions, reals)
 
 
 def _check_whole(expr, *forms):
@@ -138,6 +145,8 @@ def _check_power(expr, conditions, reals):
 
 
 def _never_zero(base, conditions, reals):
+    if base.has(E):  # no number: 1 + E^2 takes some points to 0
+        return False
     if base.is_number:
         return base.is_nonzero
     if isinstance(base, binomial):
