@@ -4,8 +4,9 @@ import sys
 
 from bezteach.setup.processes import let_through
 
-# The tests of a file, and the cells of a notebook, stay together and in order; "-n0" behind them switches it off.
-ON_ALL_CORES = ["-n", "auto", "--dist", "loadfile"]
+# The tests of a file, and the cells of a notebook, stay together and in order; "-n0" behind them switches it off. Files
+# come in their own order: sorted by how many tests they have, a few long ones would be left to a single core at the end.
+ON_ALL_CORES = ["-n", "auto", "--dist", "loadfile", "--no-loadscope-reorder"]
 
 
 def main(arguments):

@@ -85,7 +85,7 @@ def test_pytest_says_its_own_words_and_has_its_own_exit_code(tmp_path):
     done = run(f"""if True:
         import sys
         from bezteach.setup.testing import main
-        sys.exit(main(["-c", {str(tmp_path / "pytest.ini")!r}, {str(tmp_path)!r}]))
+        sys.exit(main(["-n0", "-c", {str(tmp_path / "pytest.ini")!r}, {str(tmp_path)!r}]))
     """)
     assert done.returncode == pytest.ExitCode.NO_TESTS_COLLECTED
     assert "no tests ran" in done.stdout
