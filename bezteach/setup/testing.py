@@ -5,7 +5,7 @@ import sys
 from bezteach.setup.processes import let_through
 
 # The tests of a file, and the cells of a notebook, stay together and in order; "-n0" behind them switches it off. Files
-# come in their own order: sorted by how many tests they have, a few long ones would be left to a single core at the end.
+# come in their own order: sorted by how many tests they have, long ones with few would be left to one core at the end.
 ON_ALL_CORES = ["-n", "auto", "--dist", "loadfile", "--no-loadscope-reorder"]
 
 
