@@ -4,9 +4,8 @@ import sys
 
 from bezteach.setup.processes import let_through
 
-# The tests of a file, and the cells of a notebook, stay together and in order; "-n0" behind them switches it off. Files
-# come in their own order: sorted by how many tests they have, long ones with few would be left to one core at the end.
-ON_ALL_CORES = ["-n", "auto", "--dist", "loadfile", "--no-loadscope-reorder"]
+# The tests of a file, and the cells of a notebook, stay together and in order; "-n0" behind them switches it off.
+ON_ALL_CORES = ["-n", "auto", "--dist", "loadfile"]
 
 
 def main(arguments):
