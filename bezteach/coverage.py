@@ -12,6 +12,7 @@ from .examples import EXAMPLES
 from .setup.workspace import lessons_source
 
 LESSONS = lessons_source()
+MOST = 3  # cells named in the table for one thing
 LATER = ("transcript/uniform-knots", "transcript/clamped-knots", "transcript/bezier-knots")  # B-splines
 
 
@@ -105,9 +106,6 @@ def table():
         text.append(f"{one.source}, {one.place}: {one.about} ({where})")
         rows.append(f"| {one.source} | {escaped(one.place)} | {escaped(one.about)} | {where} |")
     return Page("\n".join(text), "\n".join(rows))
-
-
-MOST = 3  # cells named for one thing
 
 
 def _cells():

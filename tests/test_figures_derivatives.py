@@ -4,7 +4,7 @@ from fractions import Fraction as F
 
 import numpy as np
 import pytest
-from matplotlib.text import Text
+from figure_words import assert_words_fit
 
 from bezteach import figures
 
@@ -55,10 +55,4 @@ def test_it_says_in_words_and_exactly_what_it_shows(name):
 
 @pytest.mark.parametrize("name", ALL)
 def test_labels_lie_inside_and_do_not_overlap(name):
-    figure = ALL[name]()
-    figure.draw_without_rendering()
-    frame = figure.bbox.padded(1)
-    for axes in figure.axes:
-        boxes = [Text.get_window_extent(note) for note in [*labels(axes), axes.title]]
-        assert all(frame.contains(box.x0, box.y0) and frame.contains(box.x1, box.y1) for box in boxes)
-        assert not any(one.overlaps(other) for k, one in enumerate(boxes) for other in boxes[:k])
+    assert_words_fit(ALL[name]())

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from .. import numeric
 from ..display import number, point
 from ..palette import FIRST, INK, QUIET, SECOND
-from .parts import curve, outer_normal, polygon, word
+from .parts import curve, frame, outer_normal, polygon, word
 from .style import STYLE
 
 PLACES = (Fraction(0), Fraction(1, 3), Fraction(2, 3), Fraction(1))
@@ -44,7 +44,7 @@ def hodograph(points, places=PLACES):
     _labels(vectors, edges, places)
     vectors.set_title("the hodograph at the same t, with p'(t)")
     for axes, shown in ((plane, [*points, *tips]), (vectors, [*edges, origin])):
-        _frame(axes, shown)
+        frame(axes, shown, (0.26, 0.18))
     said = ", ".join(f"{point(arrow)} at t = {number(t)}" for t, arrow in _pairs(places, arrows))
     figure.set_label(
         f"Left a curve of degree {n} with its velocity arrows, drawn with 1/{n} of their length. Right the same arrows "
@@ -72,13 +72,3 @@ def _labels(axes, points, places):
     """Write each t, the number alone, beside its point, on the side the curve bends away from, where names part."""
     for t in places:
         word(axes, np.asarray(numeric.evaluate(points, t), dtype=float), number(t), outer_normal(points, t))
-
-
-def _frame(axes, points):
-    """Equal scales, with room for the labels around the points."""
-    places = np.asarray(points, dtype=float)
-    low, high = places.min(axis=0), places.max(axis=0)
-    room = np.array([0.26, 0.18]) * max(high - low)
-    (left, bottom), (right, top) = low - room, high + room
-    axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
-    axes.locator_params(nbins=7)  # numbers beside each other stay apart

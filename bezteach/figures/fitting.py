@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from .. import numeric
 from ..display import number, point
 from ..palette import FIRST, INK, QUIET, SECOND
-from .parts import curve, names, outer_normal, polygon, word
+from .parts import curve, frame, names, outer_normal, polygon, word
 from .style import SAMPLES, STYLE
 
 
@@ -28,7 +28,7 @@ def two_bases(points):
         curve(axes, points, FIRST)
         names(axes, numbers, [f"${letter}_{{{i}}}$" for i in range(len(numbers))])
         axes.set_title("coefficients of $1, t, t^2, ...$" if letter == "a" else "control points")
-        _frame(axes, [*coefficients, *points])
+        frame(axes, [*coefficients, *points], 0.2)
     figure.set_label(
         f"One curve, twice. Left with its coefficients of the powers as points, {_listed(coefficients)}. "
         f"Right with its control points, {_listed(points)}: it starts at the first and ends at the last."
@@ -48,7 +48,7 @@ def clock(points, count=8):
     axes.plot(x, y, linestyle="", marker="o", color=INK, markersize=8)
     for t, place in zip(times, np.asarray(places, dtype=float), strict=True):
         word(axes, place, number(t), outer_normal(points, t))
-    _frame(axes, [*places])
+    frame(axes, [*places], 0.2)
     told = ", ".join(f"{point(place)} at t = {number(t)}" for t, place in zip(times, places, strict=True))
     figure.set_label(f"A curve with dots at equal steps of t: {told}.")
     return figure
@@ -71,7 +71,7 @@ def fitted(data, points, parameters=None):
     x, y = np.asarray(data, dtype=float).T
     axes.plot(x, y, linestyle="", marker="x", color=SECOND, markersize=11, markeredgewidth=2.5, label="samples")
     names(axes, points, [f"$b_{{{i}}}$" for i in range(len(points))])
-    _frame(axes, [*data, *points])
+    frame(axes, [*data, *points], 0.2)
     figure.legend(loc="outside lower center", ncols=2)
     missed = max(np.hypot(*(np.asarray(places, dtype=float) - np.asarray(data, dtype=float)).T))
     figure.set_label(
@@ -117,15 +117,6 @@ def nudged(heights, part=Fraction(1, 100)):
 def _changed(numbers, steps):
     """The numbers with one of them changed, for each of them that changes."""
     return [numbers + step * unit for step, unit in zip(steps, np.eye(len(numbers), dtype=int), strict=True) if step]
-
-
-def _frame(axes, points):
-    """Equal scales, with room for the names around the points."""
-    places = np.asarray(points, dtype=float)
-    middle = (places.min(axis=0) + places.max(axis=0)) / 2
-    (left, bottom), (right, top) = middle - _room(points) / 2, middle + _room(points) / 2
-    axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
-    axes.locator_params(nbins=7)
 
 
 def _room(points):

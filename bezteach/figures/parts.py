@@ -32,6 +32,15 @@ def word(axes, place, text, away):
     )
 
 
+def frame(axes, points, room):
+    """Equal scales, with room around the points: a part of the greater extent, one number or one for each axis."""
+    places = np.asarray(points, dtype=float)
+    low, high = places.min(axis=0), places.max(axis=0)
+    (left, bottom), (right, top) = np.array([low, high]) + np.outer((-1, 1), np.broadcast_to(room, 2) * max(high - low))
+    axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
+    axes.locator_params(nbins=7)  # numbers beside each other stay apart
+
+
 def names(axes, points, texts):
     """Write a name beside each point of a polygon, off it."""
     for place, text, way in zip(np.asarray(points, dtype=float), texts, outward(points), strict=True):

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from .. import numeric
 from ..display import number, point
 from ..palette import FIRST, INK, QUIET, SECOND
-from .parts import curve, polygon, word
+from .parts import curve, frame, polygon, word
 from .style import SAMPLES, STYLE
 
 PLACES = (Fraction(1, 10), Fraction(1, 3), Fraction(3, 5), Fraction(9, 10))
@@ -29,7 +29,7 @@ def beads(curves, count=8):
         x, y = _floats(numeric.evaluate(points, [Fraction(k, count) for k in range(count + 1)])).T
         axes.plot(x, y, "o", color=INK, markersize=7)
         axes.set_title(title)
-        _frame(axes, points)
+        frame(axes, points, 0.14)
     half = ", ".join(f"{title}: {point(numeric.evaluate(points, Fraction(1, 2)))}" for title, points in curves.items())
     figure.set_label(f"Curves with dots at t = 0, 1/{count}, ..., 1. Where they are at t = 1/2: {half}.")
     return figure
@@ -54,7 +54,7 @@ def moved(points, j, v, places=PLACES):
         here = numeric.evaluate(old, t)
         _arrow(axes, here, numeric.evaluate(new, t))
         word(axes, _floats(here), f"t = {number(t)}", _behind(_floats(numeric.derivative(old, t)), _floats(v)))
-    _frame(axes, [*old, *new])
+    frame(axes, [*old, *new], 0.14)
     figure.legend(loc="outside lower center", ncols=2)
     factors = numeric.bernstein(len(points) - 1, list(places))[:, j]
     ways = ", ".join(f"{number(factor)} at t = {number(t)}" for t, factor in zip(places, factors, strict=True))
@@ -101,13 +101,3 @@ def _arrow(axes, start, tip):
 
 def _floats(values):
     return np.asarray(values, dtype=float)
-
-
-def _frame(axes, points):
-    """Equal scales, with room for the words around the points."""
-    places = _floats(points)
-    low, high = places.min(axis=0), places.max(axis=0)
-    room = np.full(2, 0.14 * max(high - low))
-    (left, bottom), (right, top) = low - room, high + room
-    axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
-    axes.locator_params(nbins=7)

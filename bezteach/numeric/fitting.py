@@ -6,7 +6,7 @@ import numpy as np
 
 from bezteach.numeric import basis
 from bezteach.numeric.arrays import FLOAT, control_points, finish, one_arithmetic, quiet, read, whole
-from bezteach.numeric.joins import exact, is_zero, tidy
+from bezteach.numeric.exact import exact, is_zero, tidy
 
 
 @quiet

@@ -7,6 +7,7 @@ import numpy as np
 
 from bezteach.numeric.arrays import FLOAT, control_points, drop, finish, one_arithmetic, quiet, read, shown
 from bezteach.numeric.derivatives import differences
+from bezteach.numeric.exact import exact, is_positive, is_zero, tidy
 
 
 class Condition(NamedTuple):
@@ -153,32 +154,6 @@ def judged(before, after, given_back):
     g1 = condition(q1 if onward is False else q1 - beta * p1, c0.holds, onward)
     g2 = condition(bend - gamma * p1, g1.holds)
     return Continuity(c0, g1, c1, g2, c2, given_back(beta), given_back(gamma), vanishing)
-
-
-def exact(values):
-    """The numbers as Fractions or SymPy expressions, which divide exactly."""
-    return np.frompyfunc(lambda x: Fraction(x) if isinstance(x, (int, float)) else x, 1, 1)(values)
-
-
-def tidy(values):
-    """SymPy expressions as quotients of polynomials in lowest terms, and what is known to be 0 as 0."""
-    return np.frompyfunc(lambda x: simple(x.cancel()) if hasattr(x, "cancel") else x, 1, 1)(values)
-
-
-def simple(x):
-    return 0 * x if is_zero(x) else x
-
-
-def is_zero(x):
-    """Whether an exact number is 0: True, False, or None if that depends on symbols."""
-    if not hasattr(x, "is_zero"):
-        return x == 0
-    return x.equals(0) if x.is_number else x.is_zero
-
-
-def is_positive(x):
-    """Whether an exact number is positive: True, False, or None if that depends on symbols."""
-    return x.is_positive if hasattr(x, "is_positive") else x > 0
 
 
 def every(*answers):

@@ -39,7 +39,7 @@ def statement(lhs, rhs=None, given=None):
 
     ``InvalidStatement`` says what is wrong: what SymPy has already made True or False, a symbol that is neither integer
     nor real, two symbols of one name, a range of a symbol that does not occur, an empty or circular range, a function
-    that is not known, a Sum without limits, an operator or points in an inequality.
+    that is not known, a Sum without limits, an operator or points in an inequality, an operator added to a point.
 
     >>> from bezteach.symbolic import B, i, n, t
     >>> statement(B(i, n, t), B(n - i, n, 1 - t), {i: (0, n)}).ranges

@@ -43,6 +43,14 @@ class Goal(NamedTuple):
     praise: str
 
 
+def all_but(place, state, start):
+    """Whether the state has as many points as ``start``, and all but the one at ``place`` where they are there."""
+    if len(state.points) != len(start):
+        return False
+    pairs = enumerate(zip(state.points, start, strict=True))
+    return all(i == place or now == then for i, (now, then) in pairs)
+
+
 def judge(question, answer):
     """(whether it is right, what to say) for an answer as the reader gives it; None for no answer yet."""
     if answer is None or not str(answer).strip():

@@ -5,7 +5,7 @@ from fractions import Fraction as F
 import numpy as np
 
 from ..examples import EXAMPLES
-from ..numeric import bernstein, derivative, evaluate
+from ..numeric import bernstein, derivative, evaluate, sign_changes
 from .asking import Choice, Entry, Goal
 
 CUBIC = EXAMPLES["deck/split"].given["points"]
@@ -35,11 +35,6 @@ def _quartic_second():
         (second * F(4, 3), "The factor is not n²: after one derivative the degree is n - 1."),
         (-second, "The first edge minus the second: the other way round."),
     ]
-
-
-def _sign_changes(numbers):
-    signs = [value > 0 for value in numbers if value]
-    return sum(one != other for one, other in zip(signs, signs[1:], strict=False))
 
 
 def _mapped():
@@ -261,7 +256,7 @@ QUESTIONS = {
     "curve/exercise-passages": Entry(
         "Exercise 4. Over a line, the control points of a curve of degree 5 have the heights 2, -1, -3, 0, 4, -2. "
         "At most how often does the curve cross the line?",
-        lambda: _sign_changes(HEIGHTS),
+        lambda: sign_changes(HEIGHTS),
         lambda: [
             (5, "That is the bound by the degree. The polygon gives a smaller one."),
             (4, "A height 0 is passed over: what counts is whether the sign before it and after it differ."),
@@ -334,7 +329,7 @@ def _three_crossings(state):
     d = [(x1 - x0) * (y - y0) - (y1 - y0) * (x - x0) for x, y in state.points]
     s, r, q, p = d[0], 3 * d[1], 3 * d[2], d[3]
     discriminant = q * q * r * r - 4 * p * r**3 - 4 * q**3 * s - 27 * p * p * s * s + 18 * p * q * r * s
-    return _sign_changes(d) == 3 and discriminant > 0
+    return sign_changes(d) == 3 and discriminant > 0
 
 
 def _dented(state):

@@ -1,13 +1,12 @@
 """The questions of the lesson on degree elevation, up and down; the sources' numbers, or small ones."""
 
 from fractions import Fraction as F
-from itertools import pairwise
 
 import numpy as np
 
 from ..examples import EXAMPLES
-from ..numeric import elevate, lower, polygon_gap, to_power
-from .asking import Choice, Entry, Goal
+from ..numeric import elevate, lower, polygon_gap, sign_changes, to_power
+from .asking import Choice, Entry, Goal, all_but
 
 CUBIC = EXAMPLES["deck/split"].given["points"]
 HILL = ((0, 0), (3, 3), (6, 0))
@@ -208,20 +207,13 @@ def _changes(points, line):
     """How often a polygon passes a line: the sign changes of its vertices, zeros left out."""
     (x0, y0), (x1, y1) = line
     sides = [(x1 - x0) * (y - y0) - (y1 - y0) * (x - x0) for x, y in points]
-    signs = [side > 0 for side in sides if side]
-    return sum(one != other for one, other in pairwise(signs))
-
-
-def _only_b2_moved(points):
-    return len(points) == len(TASK) and all(
-        now == then for i, (now, then) in enumerate(zip(points, TASK, strict=True)) if i != 2
-    )
+    return sign_changes(sides)
 
 
 GOALS = {
     "elevation/parabola": Goal(
         "Task: move b₂, and no other point, so that the cubic is a parabola.",
-        lambda state: _only_b2_moved(state.points) and not to_power(state.points)[-1].any(),
+        lambda state: all_but(2, state, TASK) and not to_power(state.points)[-1].any(),
         "Reached. Prolong the edges b₀b₁ and b₃b₂ by half their length: where do they end?",
     ),
     "elevation/cut-off": Goal(

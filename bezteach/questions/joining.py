@@ -6,7 +6,7 @@ import numpy as np
 
 from ..numeric import derivative
 from ..numeric.joins import catmull_rom, continuity
-from .asking import Choice, Entry, Goal
+from .asking import Choice, Entry, Goal, all_but
 
 LEFT = ((0, 0), (0, 2), (2, 4), (4, 4))
 CORNER = ((4, 4), (4, 2), (6, 0), (8, 2))
@@ -239,17 +239,6 @@ QUESTIONS = {
 }
 
 
-def _alone(right, place):
-    """Whether no control point of the board but the one at ``place`` differs from the lesson's."""
-
-    def holds(state):
-        start = (*LEFT, *right[1:])
-        same = [now == then for now, then in zip(state.points, start, strict=False)]
-        return len(state.points) == len(start) and all(same[:place] + same[place + 1 :])
-
-    return holds
-
-
 def _report(state):
     return continuity(state.points[:4], state.points[3:], (state.t, 1 - state.t))
 
@@ -259,13 +248,13 @@ def _inside(state):
 
 
 def _moved_to(right, place, name):
-    alone = _alone(right, place)
-    return lambda state: alone(state) and _inside(state) and getattr(_report(state), name).holds
+    start = (*LEFT, *right[1:])
+    return lambda state: all_but(place, state, start) and _inside(state) and getattr(_report(state), name).holds
 
 
 def _bend_goes_on(state):
     """G2 without C2, by moving b_5 alone."""
-    report = _report(state) if _alone(EVEN, 5)(state) and state.t == F(1, 2) else None
+    report = _report(state) if all_but(5, state, (*LEFT, *EVEN[1:])) and state.t == F(1, 2) else None
     return bool(report and report.G2.holds and not report.C2.holds)
 
 

@@ -3,8 +3,7 @@
 from ...display import number, point
 from ...numeric import joins
 from .blocks import Block, exact_array, name_of
-from .joining import a_frame
-from .joining import joints as joints_of
+from .joining import a_frame, joints
 
 ALONE = [Block("Joins (拼接)", (("none: up to four points are one piece",),))]
 
@@ -26,7 +25,7 @@ def natural_said(state):
 
 
 def _numbered(state):
-    return enumerate(joints_of(exact_array(state.points), state.t), 1)
+    return enumerate(joints(exact_array(state.points), state.t), 1)
 
 
 def _join(left, right, lengths, name):

@@ -1,0 +1,31 @@
+"""Numbers that divide exactly, Fractions and SymPy expressions, and what is known of their signs."""
+
+from fractions import Fraction
+
+import numpy as np
+
+
+def exact(values):
+    """The numbers as Fractions or SymPy expressions, which divide exactly."""
+    return np.frompyfunc(lambda x: Fraction(x) if isinstance(x, (int, float)) else x, 1, 1)(values)
+
+
+def tidy(values):
+    """SymPy expressions as quotients of polynomials in lowest terms, and what is known to be 0 as 0."""
+    return np.frompyfunc(lambda x: simple(x.cancel()) if hasattr(x, "cancel") else x, 1, 1)(values)
+
+
+def simple(x):
+    return 0 * x if is_zero(x) else x
+
+
+def is_zero(x):
+    """Whether an exact number is 0: True, False, or None if that depends on symbols."""
+    if not hasattr(x, "is_zero"):
+        return x == 0
+    return x.equals(0) if x.is_number else x.is_zero
+
+
+def is_positive(x):
+    """Whether an exact number is positive: True, False, or None if that depends on symbols."""
+    return x.is_positive if hasattr(x, "is_positive") else x > 0
