@@ -104,6 +104,12 @@ def mutants(expr):
             yield mutant
 
 
+def some_mutants(lhs, rhs, name, every):
+    """(left, right), one of both edited: every so many of all, the same each time, from another start for each name."""
+    pairs = [(left, rhs) for left in mutants(lhs)] + [(lhs, right) for right in mutants(rhs)]
+    return pairs[len(name) % every :: every]
+
+
 def _edited(expr):
     if expr.is_Integer:
         yield from (expr + 1, expr - 1, -expr)

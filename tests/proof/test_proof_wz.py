@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from proof_claims import m, mutants
+from proof_claims import m, some_mutants
 from sympy import Eq, Function, Integer, Rational, Sum, Symbol, binomial, factorial, oo
 
 from bezteach.proof import Budget, InvalidStatement, OutOfTime, counterexample, prove, statement
@@ -111,12 +111,11 @@ def test_false_twins_are_refuted_never_proved(lhs, rhs, ranges):
 def test_no_false_mutant_is_proved(name):
     """What the prover proves of the mutants is judged by the exact evaluator, which knows nothing of the prover.
 
-    Every sixth mutant is tried, the same ones each time, from another start for each claim.
+    Every sixth mutant is tried.
     """
     lhs, rhs, ranges = CLAIMS[name]
-    pairs = [(left, rhs) for left in mutants(lhs)] + [(lhs, right) for right in mutants(rhs)]
     tried = 0
-    for left, right in pairs[list(CLAIMS).index(name) % 6 :: 6]:
+    for left, right in some_mutants(lhs, rhs, name, 6):
         occurring = left.free_symbols | right.free_symbols
         try:
             found = statement(left, right, {s: e for s, e in ranges.items() if s in occurring})

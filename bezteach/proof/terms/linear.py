@@ -1,8 +1,10 @@
 """Linear forms in integer symbols: what is the least value that one takes where others are not negative?"""
 
-from math import ceil
+from fractions import Fraction
+from functools import lru_cache
+from math import ceil, gcd, lcm
 
-from sympy import Dummy, Rational, S, expand, oo
+from sympy import Dummy, Integer, Rational, S, expand, oo
 
 from bezteach.symbolic import E
 
@@ -44,29 +46,52 @@ def least(form, conditions):
     >>> least(n - i - 1, [i, n - i]), least(n - i, [i, n]), least(i, [i - 3, 2 - i])
     (-1, -oo, oo)
     """
-    rows = [row for row in map(coefficients, conditions) if row is not None]
+    return _least(form, tuple(conditions))
+
+
+@lru_cache(maxsize=2**14)  # a proof asks the same of each of its terms
+def _least(form, conditions):
     target = coefficients(form)
     if target is None:
         return -oo
-    rows += [_sum(target, {_VALUE: S.NegativeOne}), _sum({s: -c for s, c in target.items()}, {_VALUE: S.One})]
-    while symbols := {s for row in rows for s, c in row.items() if c != 0 and s not in (S.One, _VALUE)}:
+    given = {_inequality(row) for row in map(coefficients, conditions) if row is not None}
+    rows = given | {_inequality(target | {_VALUE: S.NegativeOne}), _inequality(_negative(target) | {_VALUE: S.One})}
+    while symbols := {s for row in rows for s, _ in row if s not in (S.One, _VALUE)}:
         rows = _without(min(symbols, key=str), rows)
-    if any(row.get(_VALUE, 0) == 0 and row.get(S.One, 0) < 0 for row in rows):
+    ends = [(row.get(_VALUE, 0), row.get(S.One, 0)) for row in map(dict, rows)]
+    if any(slope == 0 and constant < 0 for slope, constant in ends):
         return oo
-    bounds = [-row.get(S.One, 0) / row[_VALUE] for row in rows if row.get(_VALUE, 0) > 0]
-    tops = [row.get(S.One, 0) / -row[_VALUE] for row in rows if row.get(_VALUE, 0) < 0]
+    bounds = [Fraction(-constant, slope) for slope, constant in ends if slope > 0]
+    tops = [Fraction(-constant, slope) for slope, constant in ends if slope < 0]
     if bounds and tops and max(bounds) > min(tops):
         return oo
-    return ceil(max(bounds)) if bounds else -oo
+    return Integer(ceil(max(bounds))) if bounds else -oo
+
+
+def _inequality(row):
+    """The row >= 0 in least whole numbers: its (symbol, coefficient) where that is not 0."""
+    scale = lcm(*(int(c.q) for c in row.values()))
+    return _reduced({s: int(c * scale) for s, c in row.items()})
+
+
+def _reduced(row):
+    divisor = gcd(*row.values()) or 1
+    return frozenset((s, c // divisor) for s, c in row.items() if c)
+
+
+def _negative(row):
+    return {s: -c for s, c in row.items()}
 
 
 def _without(symbol, rows):
     """What the inequalities say of the other symbols: each lower bound of this one lies below each upper one."""
-    lower = [row for row in rows if row.get(symbol, 0) > 0]
-    upper = [row for row in rows if row.get(symbol, 0) < 0]
-    rest = [row for row in rows if row.get(symbol, 0) == 0]
-    return rest + [_sum(low, high, -high[symbol], low[symbol]) for low in lower for high in upper]
+    by_sign = {-1: [], 0: [], 1: []}
+    for row in rows:
+        c = dict(row).get(symbol, 0)
+        by_sign[(c > 0) - (c < 0)].append((abs(c), dict(row)))
+    sums = {_sum(high_c, low, low_c, high) for low_c, low in by_sign[1] for high_c, high in by_sign[-1]}
+    return {frozenset(row.items()) for _, row in by_sign[0]} | sums
 
 
-def _sum(one, other, times=S.One, other_times=S.One):
-    return {s: times * one.get(s, 0) + other_times * other.get(s, 0) for s in {**one, **other}}
+def _sum(times, one, other_times, other):
+    return _reduced({s: times * one.get(s, 0) + other_times * other.get(s, 0) for s in one | other})
