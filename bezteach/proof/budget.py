@@ -16,6 +16,8 @@ class Budget:
     """
 
     def __init__(self, seconds):
+        if isinstance(seconds, bool) or not isinstance(seconds, int | float) or seconds != seconds:
+            raise ValueError(f"the budget is {seconds!r}: a number of seconds is needed")
         self.begin = perf_counter()
         self.end = self.begin + seconds
 

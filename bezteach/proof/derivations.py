@@ -5,6 +5,8 @@ that a line brings in alone must cancel, since the line has to hold for all its 
 does not fit the lines above it, is left out, and the next one is judged against the last line that means something.
 """
 
+from collections.abc import Iterable
+
 from .budget import Budget
 from .chains import chain_verdicts, form
 from .errors import InvalidStatement
@@ -47,6 +49,8 @@ def check_derivation(lines, *, given=None, budget=20.0):
     ✓ 3. = (i + 1)*B(i + 1, n + 1, u)/(n + 1)    right again: equals line 1, as line 2 does not
     REFUTED: line 2 is the first wrong one; the last line equals the first
     """
+    if not isinstance(lines, Iterable):
+        raise ValueError(f"the lines are {lines!r}: a list of expressions is needed")
     clock, lines = Budget(budget), tuple(lines)
     try:
         accepted, faults, found = _understood(lines, given)

@@ -47,11 +47,11 @@ def prove(lhs, rhs=None, *, given=None, budget=10.0):
 def decided(claim, clock):
     """The ``Proof`` of a statement, or that it is refuted or undecided; InvalidStatement where no side has a value."""
     found = counterexample(claim, clock.part(REFUTERS_SHARE))
-    if found.counterexample is not None:
-        return Proof(REFUTED, "refuter", note=str(found), counterexample=found.counterexample)
-    if found.undefined is not None:
+    if found.counterexample is None and found.undefined is not None:
         raise InvalidStatement(f"neither side has a value at {found.undefined.point()}: {found.undefined.lhs}")
     check_ranges(claim.ranges)
+    if found.counterexample is not None:
+        return Proof(REFUTED, "refuter", note=str(found), counterexample=found.counterexample)
     if max(map(most_terms, (claim.lhs, claim.rhs))) > MOST:
         return Proof(UNDECIDED, "", note=f"no counterexample: {found}, and too large to be multiplied out")
     for prover in PROVERS:

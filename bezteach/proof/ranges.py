@@ -8,13 +8,16 @@ real.
 
 from typing import NamedTuple
 
-from sympy import Expr, Interval, S, Symbol, ceiling, floor, oo
+from sympy import Expr, Indexed, Interval, S, Symbol, ceiling, floor, oo
 
 from bezteach.symbolic import E
 
 from .errors import InvalidStatement
 from .exact.evaluate import evaluator, expression
 from .uses import uses
+
+TELLING = ("even", "odd", "prime", "composite", "zero", "irrational", "rational", "nonzero")
+SIGNS = ("positive", "negative", "nonnegative", "nonpositive")
 
 
 class Integers(NamedTuple):
@@ -43,6 +46,9 @@ def ranges(expressions, given):
             )
             raise InvalidStatement(f"a range is given for {symbol}, which does not occur{where}")
     integers = {symbol for symbol in free if _is_integer(symbol, any(use.whole for use in found if use[0] == symbol))}
+    for symbol in integers & set(given):
+        if reals := sorted(_names(given[symbol]) & free - integers, key=str):
+            raise InvalidStatement(f"the range of {symbol}, an integer, has an end with {reals[0]}, which is real")
     return _in_order({symbol: _settled(symbol, symbol in integers, given.get(symbol)) for symbol in free})
 
 
@@ -70,8 +76,11 @@ def _range(symbol, wanted):
     if not isinstance(symbol, Symbol):
         raise InvalidStatement(f"a range is given for {symbol!r}, which is not a symbol")
     if isinstance(wanted, tuple) and len(wanted) == 2:
-        return Integers(*map(expression, wanted))
-    if isinstance(wanted, Interval):
+        wanted = Integers(*map(expression, wanted))
+    if isinstance(wanted, Interval | Integers):
+        for end in ends(wanted):
+            if end.has(E, Indexed) or (end.is_number and not end.is_extended_real):
+                raise InvalidStatement(f"the range of {symbol} ends at {end}, which is no real number")
         return wanted
     empty = wanted is S.EmptySet
     raise InvalidStatement(f"the range of {symbol} " + ("is empty" if empty else f"is {wanted}, not (low, high)"))
@@ -84,13 +93,19 @@ def _check_names(symbols):
             raise InvalidStatement(f"two different symbols are called {symbol.name}: their assumptions differ")
         if symbol.name == E.name:
             raise InvalidStatement("a symbol is called E: that is the operator, bezteach.symbolic.E")
-        strange = [s for s in ("even", "odd", "prime", "composite", "zero") if getattr(symbol, f"is_{s}")]
-        strange += ["noncommutative"] * (not symbol.is_commutative) + ["not real"] * (symbol.is_extended_real is False)
-        strange += ["irrational"] * bool(symbol.is_irrational)
-        if symbol.is_zero is False and not (symbol.is_positive or symbol.is_negative or symbol.is_integer is False):
-            strange.append("nonzero")
-        if strange:
-            raise InvalidStatement(f"{symbol} is declared {strange[0]}: this engine reads no such assumption")
+        if strange := _unread(symbol):
+            raise InvalidStatement(f"{symbol} is declared {strange}: this engine reads no such assumption")
+
+
+def _unread(symbol):
+    """What is assumed of a symbol, in a word, beside that it is an integer or real, and a sign; None for nothing."""
+    signs = {sign: True for sign in SIGNS if getattr(symbol, f"is_{sign}")}
+    read = Symbol("x", **{"integer" if symbol.is_integer else "real": True}, **signs).assumptions0
+    beyond = {name for name, value in symbol.assumptions0.items() if read.get(name) is not value}
+    words = ["noncommutative"] * (not symbol.is_commutative) + ["infinite"] * bool(symbol.is_infinite)
+    words += ["not " + kind for kind in ("real", "an integer") if getattr(symbol, f"is_{kind.split()[-1]}") is False]
+    words += [word for word in TELLING if getattr(symbol, f"is_{word}") and word in beyond | {"zero"}]
+    return (words + sorted(beyond) + [None])[0]
 
 
 def _is_integer(symbol, used_as_integer):
@@ -120,8 +135,11 @@ def _settled(symbol, is_integer, given):
         inside = (ceiling(first), floor(last)) if is_integer else (first, last)
         if first is oo or last is -oo or not inside[0] <= inside[1]:
             raise InvalidStatement(f"the range of {symbol} is empty")
-    closed_at_zero = symbol.is_positive and first == 0 and not is_integer and not found.left_open
-    if closed_at_zero or (first.is_number and first < low) or (last.is_number and last > high):
+    at_zero = not is_integer and (
+        (symbol.is_positive and first == 0 and not found.left_open)
+        or (symbol.is_negative and last == 0 and not found.right_open)
+    )
+    if at_zero or (first.is_number and first < low) or (last.is_number and last > high):
         raise InvalidStatement(f"the range of {symbol} goes beyond what is assumed of the symbol")
     return found
 

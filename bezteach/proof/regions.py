@@ -1,6 +1,6 @@
 """What ranges say for all values together: linear forms that are >= 0, and whether a range is one everywhere."""
 
-from sympy import ilcm, oo
+from sympy import Interval, ilcm, oo
 
 from .errors import InvalidStatement
 from .ranges import Integers, assumed, ends
@@ -28,10 +28,15 @@ def check_ranges(found):
     for symbol, values in found.items():
         low, high = ends(values)
         lowest, highest = assumed(symbol, isinstance(values, Integers))
-        for end, assumed_end, sign in ((low, lowest, 1), (high, highest, -1)):
+        real = isinstance(values, Interval)
+        sides = (
+            (low, lowest, 1, real and symbol.is_positive and not values.left_open),
+            (high, highest, -1, real and symbol.is_negative and not values.right_open),
+        )
+        for end, assumed_end, sign, strict in sides:
             if not end.is_infinite:
                 _check_end(symbol, end, conditions)
-            if assumed_end.is_finite and not _is_never_negative(sign * (end - assumed_end), conditions):
+            if assumed_end.is_finite and not _is_never_negative(sign * (end - assumed_end), conditions, strict):
                 raise InvalidStatement(f"the range of {symbol} may go beyond what is assumed of it")
 
 
@@ -42,11 +47,12 @@ def _check_end(symbol, end, conditions):
         raise InvalidStatement(f"the range of {symbol} may have no end: {error}") from None
 
 
-def _is_never_negative(form, conditions):
+def _is_never_negative(form, conditions, strict):
+    """Whether a form is >= 0, or > 0 if that is wanted."""
     row = coefficients(form)
     if row is None:
-        return form.is_extended_nonnegative
-    return least(form * ilcm(1, *(c.q for c in row.values())), conditions) >= 0
+        return form.is_extended_positive if strict else form.is_extended_nonnegative
+    return least(form * ilcm(1, *(c.q for c in row.values())), conditions) >= int(bool(strict))
 
 
 def has_values(values, known):

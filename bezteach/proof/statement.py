@@ -8,8 +8,8 @@ from bezteach.symbolic import E, latex
 
 from .errors import InvalidStatement
 from .exact.evaluate import evaluator, expression
-from .indices import stays, with_true_indices
-from .ranges import ranges
+from .indices import with_true_indices
+from .ranges import SIGNS, ranges
 
 RELATIONS = {sp.Eq: "=", sp.Ge: ">=", sp.Gt: ">", sp.Le: "<=", sp.Lt: "<"}
 _IN_LATEX = {">=": r"\ge", "<=": r"\le"}
@@ -71,19 +71,20 @@ def check_binders(side, found):
                 if symbol in found and not isinstance(found[symbol], sp.Interval):
                     raise InvalidStatement(f"{node} differentiates by {symbol}, which is an integer")
         if isinstance(node, sp.Subs):
-            _check_signs(node, [(symbol, at, at) for symbol, at in zip(node.variables, node.point, strict=True)])
+            _check_values(node, zip(node.variables, node.point, strict=True))
         if isinstance(node, sp.Integral):
-            _check_signs(node, node.limits)
+            _check_values(node, node.limits)
         if isinstance(node, sp.Sum | sp.Product | sp.Integral):
             whole = not isinstance(node, sp.Integral)
             for symbol, *limits in node.limits:
                 _check_bound(node, symbol, limits, found, whole)
 
 
-def _check_signs(node, limits):
+def _check_values(node, places):
     """SymPy goes by what is assumed of a symbol, whatever stands in its place; of indices ``indices`` takes care."""
-    for symbol, *ends in limits:
-        if len(ends) == 2 and not stays(symbol, *ends):
+    for symbol, *values in places:
+        assumed = [name for name in ("integer", *SIGNS) if getattr(symbol, f"is_{name}")]
+        if not all(getattr(value, f"is_{name}") for name in assumed for value in values):
             raise InvalidStatement(f"in {node} the variable {symbol} may go beyond what is assumed of it")
 
 

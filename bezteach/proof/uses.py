@@ -50,6 +50,7 @@ def uses(expr, whole=False, bound=frozenset()):
             yield from uses(count, True, bound)
     elif isinstance(expr, Subs):
         yield from _all(expr.point, whole, bound)
+        yield from (Use(symbol, False, True) for symbol in expr.variables if symbol.is_Symbol and symbol != E)
         yield from uses(expr.expr, whole, bound | set(expr.variables))
     else:
         kinds = [kind for kind in type(expr).__mro__ if kind in _WHOLE]

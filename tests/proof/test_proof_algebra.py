@@ -281,6 +281,12 @@ def test_no_induction_where_an_interval_moves():
     assert by_induction(claim, Budget(5)) is None
 
 
+def test_a_factorial_too_large_to_be_computed_is_left_alone():
+    assert proof(binomial(200, n), binomial(200, 200 - n), {n: (0, 200)}) is None
+    assert proof(binomial(10**8, n), binomial(10**8, 10**8 - n), {n: (0, 10**8)}) is None
+    assert proof(binomial(90, n), binomial(90, 90 - n), {n: (0, 90)}).status == "PROVED"
+
+
 def test_a_power_too_high_to_be_multiplied_out_is_left_alone():
     """SymPy cannot be interrupted while it cancels: what would take minutes is not begun."""
     assert proof((t + 1) ** 300 * (t - 1), (t + 1) ** 299 * (t**2 - 1)).status == "PROVED"

@@ -2,6 +2,7 @@
 
 import pytest
 from sympy import (
+    Abs,
     Add,
     Derivative,
     Ge,
@@ -12,17 +13,19 @@ from sympy import (
     Pow,
     Product,
     Rational,
+    S,
     Subs,
     Sum,
     Symbol,
     binomial,
+    floor,
     oo,
 )
 
 from bezteach import bench
 from bezteach.proof import prove, statement
 from bezteach.proof.derivations import check_derivation
-from bezteach.symbolic import B, i, j, k, n, t
+from bezteach.symbolic import B, i, j, k, n, t, u
 
 COUNTED, HALVED = Symbol("s"), Symbol("m")  # whole numbers by their use
 POSITIVE = Symbol("q", integer=True, positive=True)
@@ -178,6 +181,42 @@ def test_other_variables_may_not_leave_what_is_assumed_of_them():
         verdict = prove(claim, 0, given={n: (5, oo)})
         assert verdict.status == "INVALID" and verdict.note.endswith("x may go beyond what is assumed of it")
     assert prove(Subs(t**k, t, 1), 1).status == "PROVED"
+
+
+NOT_NEGATIVE, NEGATIVE = Symbol("q", nonnegative=True), Symbol("w", negative=True)
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        # Between 1 and -1 the variable of an integral is negative too, and |q| is not q there.
+        (Integral(Abs(NOT_NEGATIVE), (NOT_NEGATIVE, 1, -1)), 0),
+        (Integral(Abs(NOT_NEGATIVE) * u, (NOT_NEGATIVE, 0, t)), u * t**2 / 2),
+        (Integral(Abs(NEGATIVE), (NEGATIVE, -1, 1)), 0),
+        # At 1/2 floor(j) is not j.
+        (Subs(floor(j) + u, j, t), t + u),
+        (Subs((-1) ** (2 * j) + u, j, S.Half), 1 + u),
+    ],
+)
+def test_sympy_has_gone_by_what_is_assumed_of_a_variable(left, right):
+    """What is false is INVALID, and so is what is true: the statement that was meant is not there any more."""
+    for other in (right, right - 1):
+        assert prove(left, other).status == "INVALID"
+        assert check_derivation([left, other]).status == "INVALID"
+
+
+@pytest.mark.parametrize(
+    ("symbol", "values"),
+    [
+        (Symbol("p", positive=True), Interval(n, n + 1)),
+        (NEGATIVE, Interval(-1 - n, -n)),
+        (NEGATIVE, Interval(-oo, 0)),
+    ],
+)
+def test_a_range_may_not_reach_a_0_that_is_left_out_by_assumption(symbol, values):
+    assert prove(symbol + symbol, 2 * symbol, given={symbol: values}).status == "INVALID"
+    within = Interval(values.start, values.end, True, True)
+    assert prove(symbol + symbol, 2 * symbol, given={symbol: within}).status == "PROVED"
 
 
 @pytest.mark.parametrize(

@@ -30,6 +30,7 @@ from sympy import (
     sqrt,
 )
 
+from bezteach.bench import judge
 from bezteach.proof import (
     CHECKED,
     INVALID,
@@ -218,6 +219,28 @@ def test_the_budget_is_kept(claim):
     assert verdict.status in (UNDECIDED, CHECKED, PROVED, REFUTED)
     if verdict.status == PROVED:  # true, and with a proof that needs no more time to check
         verdict.replay()
+
+
+@pytest.mark.parametrize(
+    ("text", "given", "statuses"),
+    [
+        # SymPy multiplied all denominators, those that divide one another too.
+        ("sum(1/(n+k)^5,k,1,11) = sum((n^2+2*n*k+k^2)/(n+k)^7,k,1,11)", "", (PROVED,)),
+        ("sum(C(n,k)*(k+300)!/k!,k,0,n) = sum(C(n,n-k)*(k+300)!/k!,k,0,n)", "", (PROVED, CHECKED)),
+        # Each symbol that is eliminated from these may square the number of inequalities.
+        (
+            "i+j+k+l+m+n+p+q = q+p+n+m+l+k+j+i",
+            "i<=20, j<=20-i, k<=i-j+5, l<=j-i+k+5, m<=i-j-k+l+9, n<=j+k-i-l+m+9, p<=i+k-j-l+m-n+9, q<=j+l-i-k+n-m+p+9",
+            (PROVED,),
+        ),
+        ("i*j+k*l+m*n+p*q+r^2 >= 0", ", ".join(f"{letter}<=20" for letter in "ijklmnpqr"), (PROVED, UNDECIDED)),
+    ],
+)
+def test_no_step_takes_longer_than_the_budget(text, given, statuses):
+    """Each of these once took a minute or more in one step, which nothing can interrupt."""
+    begin = perf_counter()
+    assert judge(text, given).status in statuses
+    assert perf_counter() - begin < 30
 
 
 class Turns(Budget):

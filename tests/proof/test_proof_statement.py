@@ -11,6 +11,7 @@ from sympy import (
     Function,
     Ge,
     Gt,
+    I,
     Integral,
     Interval,
     Le,
@@ -20,10 +21,12 @@ from sympy import (
     Pow,
     Rational,
     S,
+    Subs,
     Sum,
     Symbol,
     binomial,
     factorial,
+    nan,
     oo,
     sin,
     symbols,
@@ -35,6 +38,7 @@ from bezteach.symbolic import B, E, b, i, j, k, n, r, step, t, u
 
 NATURAL = Integers(S(0), oo)
 REAL = Interval(-oo, oo)
+PART, BELOW = Symbol("e", even=True), Symbol("w", negative=True)
 plain_n, plain_i, plain_t, plain_x = symbols("n i t x")
 
 
@@ -126,6 +130,10 @@ def test_neither_the_operator_nor_the_name_of_the_points_nor_a_bound_index_is_a_
         ((t**u, 0), None, "u stands where a whole number must stand"),
         ((B(0, Symbol("m", even=True), t), 0), None, "even"),
         ((Symbol("s", real=True, nonzero=True), 0), None, "nonzero"),
+        ((Symbol("s", real=True, integer=False), 0), None, "declared not an integer"),
+        ((Symbol("s", rational=True), 0), None, "rational"),
+        ((Symbol("s", infinite=True), 0), None, "infinite"),
+        ((Subs(t**PART, PART, 2), 0), None, "declared even"),
         ((B(i, n, t), B(plain_i, n, t)), None, "two different symbols are called i"),
         ((Sum(b[plain_i], (i, 0, 2)), 0), None, "two different symbols are called i"),
         ((Symbol("E", real=True), 0), None, "a symbol is called E"),
@@ -143,6 +151,12 @@ def test_neither_the_operator_nor_the_name_of_the_points_nor_a_bound_index_is_a_
         ((b[n], 0), {n: (0, n)}, "in a circle"),
         ((b[n], 0), {n: (-1, 3)}, "beyond what is assumed"),
         ((Symbol("q", positive=True), 0), {Symbol("q", positive=True): Interval(0, 1)}, "beyond what is assumed"),
+        ((BELOW, 0), {BELOW: Interval(-1, 0)}, "beyond what is assumed"),
+        ((b[n], 0), {n: (nan, oo)}, "ends at nan, which is no real number"),
+        ((b[n], 0), {n: (0, I)}, "ends at I, which is no real number"),
+        ((b[n], 0), {n: (0, E)}, "ends at E, which is no real number"),
+        ((t, t), {t: Interval(0, b[0])}, r"ends at b\[0\], which is no real number"),
+        ((n * t, 0), {n: (0, B(0, 3, t))}, "range of n, an integer, has an end with t, which is real"),
         ((b[n], 0), {n: Interval(0, 1)}, r"give its range as \(low, high\)"),
         ((b[n], 0), {n: (0, 2.5)}, "not an expression"),
         ((Integral(t, t), 0), None, "no limits"),

@@ -12,7 +12,7 @@ from ..certificate import ByTerms, Group, Part, TermsCase
 from ..indices import with_fresh_indices
 from ..regions import region_of
 from ..terms.defined import check_defined
-from ..terms.linear import coefficients, is_whole_form, least
+from ..terms.linear import coefficients, impossible, is_whole_form, least
 from ..terms.normal import POINT, Edge, normal
 from ..terms.size import cancelled
 from ..terms.terms import Failure, Term, alike, common_part, times, written
@@ -41,7 +41,7 @@ def by_algebra(statement, budget):
     if any(power.exp.is_Integer and abs(power.exp) > HIGHEST for side in sides for power in side.atoms(Pow)):
         return None  # what is multiplied out, or cancelled, cannot be interrupted
     whole, conditions = region_of(statement.ranges)
-    if least(S.Zero, conditions) != 0:
+    if impossible(conditions):
         return None  # nothing is in the ranges, and nothing is said of it
     try:
         for side in sides:
@@ -97,7 +97,7 @@ def _with_ends_apart(expr):
 def _proved(sides, whole, conditions, part, depth, budget):
     """The cases of a proof that the sides agree in a part; ``Failure`` if this way gives none."""
     budget.spend()
-    if least(S.Zero, conditions) != 0:
+    if impossible(conditions):
         return
     try:
         terms = difference_terms(sides, whole, conditions)
@@ -140,7 +140,7 @@ def _beyond(form, sides, whole, conditions, part, depth, budget):
 def _where(form, sides, whole, conditions, part, depth, budget):
     """The cases where form >= 0; if the conditions leave only 0, that value is put in."""
     inside = [*conditions, form]
-    if least(-form, inside) == 0 and least(S.Zero, inside) == 0:
+    if least(-form, inside) == 0 and not impossible(inside):
         yield from _at(form, 0, sides, whole, conditions, part, depth, budget)
     else:
         yield from _proved(sides, whole, inside, part.also(form), depth - 1, budget)
@@ -154,6 +154,6 @@ def _at(form, value, sides, whole, conditions, part, depth, budget):
         raise Failure(f"{form} cannot be solved for a symbol")
     at = expand(symbol - found[symbol] * (form - value))
     inside = [expand(condition.subs(symbol, at)) for condition in conditions]
-    if least(S.Zero, inside) == 0:
+    if not impossible(inside):
         case = tuple(side.subs(symbol, at) for side in sides)
         yield from _proved(case, whole - {symbol}, inside, part.with_value(symbol, at), depth - 1, budget)

@@ -3,12 +3,12 @@
 Beside the edges, where the terms have another form, an expression is one product of what its terms share.
 """
 
-from sympy import Add, Eq, Ge, Gt, Integral, Le, Lt, Mul, Ne, Pow, S, Sum, binomial, expand, factor, factorial
+from sympy import Add, Eq, Ge, Gt, Integral, Le, Lt, Mul, Ne, Pow, Sum, binomial, expand, factor, factorial
 
 from bezteach.symbolic import B, Step
 
 from ..certificate import BySigns, Part, SignsCase
-from ..terms.linear import coefficients, is_whole_form, least
+from ..terms.linear import coefficients, impossible, is_whole_form, least
 from ..terms.normal import Edge, normal
 from ..terms.size import cancelled, factored
 from ..terms.terms import Failure, common_part, written
@@ -46,7 +46,7 @@ def signed(expr, region, wanted, budget):
 
 def _cases(expr, region, wanted, depth, budget, part):
     budget.spend()
-    if least(S.Zero, region.conditions) != 0:
+    if impossible(region.conditions):
         return
     found = signs(expr, region)
     if found <= wanted:
@@ -109,7 +109,7 @@ def _beyond(form, expr, region, wanted, depth, budget, part):
     for value in range(1, int(-low) + 1):
         at = expand(symbol - found[symbol] * (form + value))
         case, inside = in_part_of(expr, region, Part(((symbol, at),)))
-        if least(S.Zero, inside.conditions) == 0:
+        if not impossible(inside.conditions):
             yield from _cases(case, inside, wanted, depth - 1, budget, part.with_value(symbol, at))
 
 

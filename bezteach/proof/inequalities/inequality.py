@@ -16,7 +16,6 @@ from sympy import (
     Mul,
     Pow,
     Rational,
-    S,
     Sum,
     Symbol,
     binomial,
@@ -31,7 +30,7 @@ from bezteach.symbolic import B
 from ..budget import Budget
 from ..ranges import Integers, ends
 from ..terms.defined import check_defined
-from ..terms.linear import is_whole_form, least
+from ..terms.linear import impossible, is_whole_form
 from ..terms.terms import Failure
 from .sign_of import Region
 from .sign_sets import NOT_NEGATIVE, POSITIVE
@@ -80,7 +79,7 @@ def _region(ranges):
         else:
             low, high = low if low.is_Rational else -oo, high if high.is_Rational else oo
             reals[symbol] = Interval(low, high, found.left_open, found.right_open)
-    if least(S.Zero, conditions) != 0:
+    if impossible(conditions):
         raise Failure("the ranges are empty")
     return Region(frozenset(ranges) - reals.keys(), tuple(conditions), reals)
 

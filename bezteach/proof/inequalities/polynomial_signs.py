@@ -5,7 +5,7 @@ roots, of any other polynomial from its Bernstein coefficients, or from what the
 """
 
 from functools import lru_cache
-from itertools import combinations
+from itertools import combinations, islice
 from math import comb
 
 from sympy import (
@@ -26,6 +26,7 @@ from ..terms.size import degree
 from .sign_sets import ANY, NOT_NEGATIVE, POSITIVE, ZERO, product, total
 
 HIGHEST, MOST_SYMBOLS_TIMES_DEGREE, MOST_REALS = 40, 24, 2
+MOST_CHOICES = 500  # of conditions that are taken for coordinates
 LARGEST = 10**60  # of a number: SymPy's factoring takes minutes with hundreds of digits
 
 
@@ -138,7 +139,7 @@ def _by_slack(expr, region):
     """An integer polynomial in what some of the conditions say is >= 0: all its coefficients may have one sign."""
     symbols, result = sorted(expr.free_symbols, key=str), ANY
     rows = [form for form in map(coefficients, region.conditions) if form and {s for s in form if s != 1} <= {*symbols}]
-    for chosen in combinations(rows, len(symbols)):
+    for chosen in islice(combinations(rows, len(symbols)), MOST_CHOICES):
         matrix = Matrix([[row.get(symbol, 0) for symbol in symbols] for row in chosen])
         if matrix.det() == 0:
             continue

@@ -1,9 +1,9 @@
 """Do the cases of a proof cover the whole range? Decided from the inequalities alone, not from how they were found."""
 
-from sympy import S, expand
+from sympy import expand
 
 from ..errors import ReplayFailed
-from ..terms.linear import is_whole_form, least
+from ..terms.linear import impossible, is_whole_form, least
 
 
 def check_covered(conditions, parts):
@@ -39,7 +39,7 @@ def _uncovered(conditions, cases):
 
     An integer form is >= 0 or <= -1: what the first case leaves out is cut along its forms, one after the other.
     """
-    if least(S.Zero, conditions) != 0:
+    if impossible(conditions):
         return None
     if not cases:
         return conditions

@@ -1,13 +1,13 @@
 """Replay of inequalities by the signs of factors: in each case the factors make the expression, and have the signs."""
 
-from sympy import Mul, S
+from sympy import Mul
 
 from ..errors import ReplayFailed
 from ..inequalities.factors import factors_shown, in_part_of
 from ..inequalities.inequality import claim_of, difference_of, is_whole
 from ..inequalities.sign_of import of_power, signs
 from ..inequalities.sign_sets import POSITIVE, product
-from ..terms.linear import least
+from ..terms.linear import impossible
 from ..terms.normal import Edge, normal
 from ..terms.terms import Failure, written
 from .alike import alike
@@ -40,7 +40,7 @@ def replay_signs(statement, certificate, replay_proof):
 
 def check_signs(expr, region, wanted, cases, grid, forms=()):
     """``ReplayFailed`` unless an expression has the signs wanted everywhere in a region; forms narrow the grid."""
-    if least(S.Zero, region.conditions) != 0:
+    if impossible(region.conditions):
         raise ReplayFailed("the ranges hold no point")
     check_covered(region.conditions, [case.part for case in cases])
     for case in cases:

@@ -9,6 +9,7 @@ from sympy import Dummy, Integer, Rational, S, expand, oo
 from bezteach.symbolic import E
 
 _VALUE = Dummy("value")
+MOST = 500  # inequalities that one step of the elimination may leave; it may square their number
 
 
 def coefficients(form):
@@ -40,13 +41,24 @@ def least(form, conditions):
     """A lower bound of an integer linear form where every one of the conditions, linear forms, is >= 0.
 
     It is the least value over the real numbers, rounded up (Fourier-Motzkin elimination); -oo where there is none, oo
-    where the conditions cannot hold together. What is not linear has no bound, and a condition that is not is left out.
+    where the conditions cannot hold together. What is not linear has no bound, and a condition that is not is left out;
+    none is found where the elimination grows too large.
 
     >>> from bezteach.symbolic import i, n
     >>> least(n - i - 1, [i, n - i]), least(n - i, [i, n]), least(i, [i - 3, 2 - i])
     (-1, -oo, oo)
     """
     return _least(form, tuple(conditions))
+
+
+def impossible(conditions):
+    """Whether conditions, linear forms that are to be >= 0, are known not to hold together.
+
+    >>> from bezteach.symbolic import i
+    >>> impossible([i - 3, 2 - i]), impossible([i - 2, 2 - i])
+    (True, False)
+    """
+    return least(S.Zero, conditions) == oo
 
 
 @lru_cache(maxsize=2**14)  # a proof asks the same of each of its terms
@@ -57,7 +69,10 @@ def _least(form, conditions):
     given = {_inequality(row) for row in map(coefficients, conditions) if row is not None}
     rows = given | {_inequality(target | {_VALUE: S.NegativeOne}), _inequality(_negative(target) | {_VALUE: S.One})}
     while symbols := {s for row in rows for s, _ in row if s not in (S.One, _VALUE)}:
-        rows = _without(min(symbols, key=str), rows)
+        lower, upper, rest = min((_bounds(symbol, rows) for symbol in sorted(symbols, key=str)), key=_count)
+        if _count((lower, upper, rest)) > MOST:
+            return -oo
+        rows = rest | {_sum(high_c, low, low_c, high) for low_c, low in lower for high_c, high in upper}
     ends = [(row.get(_VALUE, 0), row.get(S.One, 0)) for row in map(dict, rows)]
     if any(slope == 0 and constant < 0 for slope, constant in ends):
         return oo
@@ -83,14 +98,18 @@ def _negative(row):
     return {s: -c for s, c in row.items()}
 
 
-def _without(symbol, rows):
-    """What the inequalities say of the other symbols: each lower bound of this one lies below each upper one."""
-    by_sign = {-1: [], 0: [], 1: []}
-    for row in rows:
-        c = dict(row).get(symbol, 0)
-        by_sign[(c > 0) - (c < 0)].append((abs(c), dict(row)))
-    sums = {_sum(high_c, low, low_c, high) for low_c, low in by_sign[1] for high_c, high in by_sign[-1]}
-    return {frozenset(row.items()) for _, row in by_sign[0]} | sums
+def _bounds(symbol, rows):
+    """The rows that bound a symbol from below and from above, with their coefficients, and those without it."""
+    found = [(dict(row).get(symbol, 0), row) for row in rows]
+    lower = [(c, dict(row)) for c, row in found if c > 0]
+    upper = [(-c, dict(row)) for c, row in found if c < 0]
+    return lower, upper, {row for c, row in found if c == 0}
+
+
+def _count(bounds):
+    """How many inequalities are left without the symbol: each lower bound of it lies below each upper one."""
+    lower, upper, rest = bounds
+    return len(lower) * len(upper) + len(rest)
 
 
 def _sum(times, one, other_times, other):

@@ -2,11 +2,12 @@
 
 from math import comb, prod
 
-from sympy import Add, Mul, Pow, Rational, Symbol, cancel, factor
+from sympy import Add, Mul, Pow, Rational, Symbol, cancel, expand, factor, fraction, together
 
 from .failure import Failure
 
 LARGEST = 100  # degree times number of symbols, which takes a few seconds at most
+HIGHEST = 1000  # degree of what is cancelled in one symbol
 MOST = 5000  # terms of a polynomial
 MOST_TERMS = 400  # hypergeometric terms of a sum
 
@@ -16,7 +17,7 @@ def degree(expr):
 
     >>> from bezteach.symbolic import n, t
     >>> degree((n * t + 1) ** 3), degree(n + t**2 + 1 / n**4), degree(t**n)
-    (6, 4, None)
+    (6, 6, None)
     """
     if isinstance(expr, Symbol | Rational):
         return int(expr.is_Symbol)
@@ -27,7 +28,25 @@ def degree(expr):
     if not isinstance(expr, Add | Mul):
         return None
     degrees = [degree(part) for part in expr.args]
-    return None if None in degrees else sum(degrees) if expr.is_Mul else max(degrees)
+    if None in degrees:
+        return None
+    return sum(degrees) if expr.is_Mul else _of_sum(expr.args, degrees)
+
+
+def _of_sum(parts, degrees):
+    """Each part is multiplied by the denominators that others have and it has not."""
+    below = [_denominators(part) for part in parts]
+    common = {base: max(one.get(base, 0) for one in below) for base in set().union(*below)}
+    return max(
+        own + sum((times - one.get(base, 0)) * degree(base) for base, times in common.items())
+        for own, one in zip(degrees, below, strict=True)
+    )
+
+
+def _denominators(part):
+    """{base: exponent} of what a product divides by."""
+    powers = [factor.as_base_exp() for factor in Mul.make_args(part)]
+    return {base: -int(times) for base, times in powers if times.is_negative and not base.is_Rational}
 
 
 def most_terms(expr):
@@ -55,10 +74,10 @@ def most_terms(expr):
 
 
 def cancelled(expr):
-    """A rational function in lowest terms; ``Failure`` where several symbols make it too large."""
-    if len(expr.free_symbols) > 1:
-        check_size(expr)
-    return cancel(expr)
+    """A rational function in lowest terms; ``Failure`` where it is too large."""
+    check_size(expr, LARGEST if len(expr.free_symbols) > 1 else HIGHEST)
+    numerator, denominator = fraction(together(expr))  # SymPy would multiply all, those that divide one another too
+    return cancel(expand(numerator, power_base=False, power_exp=False) / denominator)
 
 
 def factored(expr):
@@ -67,7 +86,7 @@ def factored(expr):
     return factor(expr)
 
 
-def check_size(expr):
-    """``Failure`` where a rational function is too large to be factored."""
-    if (degree(expr) or 0) * len(expr.free_symbols) > LARGEST:
+def check_size(expr, largest=LARGEST):
+    """``Failure`` where the degree of a rational function times the number of its symbols is too large."""
+    if (degree(expr) or 0) * len(expr.free_symbols) > largest:
         raise Failure("what would have to be multiplied out is too large")

@@ -14,6 +14,7 @@ from .linear import least
 from .size import cancelled
 from .terms import Failure, Term, factorial_of, power_of, times
 
+MOST_FACTORS = 100  # between two factorials, which are multiplied out
 FEW = 12  # summands up to which a sum of a fixed length is written out
 
 
@@ -52,6 +53,8 @@ def _single(factorials):
             chosen = highest
         elif total != 0:
             raise Failure("the factorials do not fit the binomial theorem")
+        if max(highest - form for form in family) > MOST_FACTORS:
+            raise Failure("the factorials lie too far apart")
         for form, exponent in family.items():
             product = Mul(*[form + step for step in range(1, int(highest - form) + 1)])
             rest *= product**-exponent

@@ -50,6 +50,8 @@ def _merged(one, other):
 
 def factorial_of(form, exponent=1):
     form = expand(form)
+    if form.is_Integer and form > LARGEST:
+        raise Failure(f"{form}! is too large")
     if form.is_Integer and form >= 0:
         return Term(factorial(form) ** exponent)
     return Term(factorials={form: Integer(exponent)})
