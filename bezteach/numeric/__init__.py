@@ -4,6 +4,7 @@ Points are rows: (n+1, d) is a curve, (n+1,) one coordinate, (N, n+1, d) a batch
 ints and Fractions, and on SymPy expressions, and rejects bad input with a ValueError that names it.
 """
 
+from bezteach.numeric import bspline as bspline
 from bezteach.numeric import joins as joins
 from bezteach.numeric.basis import bernstein, from_power, to_power
 from bezteach.numeric.curve import de_casteljau, elevate, flatten, segment, split, subdivide
