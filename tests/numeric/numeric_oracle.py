@@ -1,9 +1,10 @@
 """What the tests compare with: the definitions, on lists of Fractions, sharing nothing with the package."""
 
 from fractions import Fraction
-from math import comb, factorial
+from math import ceil, comb, factorial, floor
 
 import numpy as np
+from hypothesis import strategies as st
 
 
 def weight(n, i, t):
@@ -54,3 +55,9 @@ def flat(values):
     if isinstance(values, (list, tuple)):
         return [x for v in values for x in flat(v)]
     return [values]
+
+
+def few_fractions(low, high, denominator):
+    """A strategy for the fractions from low to high with at most this denominator; drawn from a list, for speed."""
+    quotients = {Fraction(a, b) for b in range(1, denominator + 1) for a in range(ceil(low * b), floor(high * b) + 1)}
+    return st.sampled_from(sorted(quotients, key=lambda x: (x.denominator, abs(x), x < 0)))

@@ -9,6 +9,7 @@ import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from numeric_oracle import few_fractions
 
 from bezteach import numeric
 from bezteach.examples import EXAMPLES
@@ -86,16 +87,16 @@ def places(knots, count):
 def splines(draw, least=0, most=4, full=True):
     """(points, knots) with knots that may stand up to p+1 times, p where the curve must not jump."""
     p = draw(st.integers(least, most))
-    gaps = st.fractions(F(1, 3), 3, max_denominator=3)
+    gaps = few_fractions(F(1, 3), 3, 3)
     times = st.integers(1, p + 1 if full else max(1, p))
     groups = draw(st.lists(st.tuples(gaps, times), min_size=2, max_size=5))
-    knots, here = [], draw(st.fractions(-2, 2, max_denominator=2))
+    knots, here = [], draw(few_fractions(-2, 2, 2))
     for gap, k in groups:
         here += gap
         knots += [here] * k
     while len(knots) < 2 * p + 2 or knots[p] == knots[-p - 1]:
         knots.append(knots[-1] + draw(gaps))
-    numbers = st.fractions(-4, 4, max_denominator=3)
+    numbers = few_fractions(-4, 4, 3)
     size = len(knots) - p - 1
     return draw(st.lists(numbers, min_size=size, max_size=size)), knots
 
@@ -296,7 +297,7 @@ def test_continuity_is_degree_minus_multiplicity(spline):
 
 
 @law
-@given(splines(), st.fractions(-3, 3, max_denominator=4), st.fractions(-3, 3, max_denominator=4))
+@given(splines(), few_fractions(-3, 3, 4), few_fractions(-3, 3, 4))
 def test_an_affine_map_of_points_or_of_knots(spline, a, b):
     points, knots = spline
     t = places(knots, len(points))
@@ -328,7 +329,7 @@ def test_the_blossom_is_symmetric_affine_and_holds_the_control_points(spline, da
     points, knots = spline
     count, p = len(points), len(knots) - len(points) - 1
     k = data.draw(st.sampled_from([k for k in range(p, count) if knots[k] < knots[k + 1]]))
-    some = st.fractions(-3, 3, max_denominator=2)
+    some = few_fractions(-3, 3, 2)
     u = [data.draw(some) for _ in range(p)]
     assert len({blossom(points, knots, k, *v) for v in permutations(u)}) == 1
     for i in range(k - p, k + 1):

@@ -7,12 +7,12 @@ import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numeric_oracle import value, weight
+from numeric_oracle import few_fractions, value, weight
 
 from bezteach.numeric import fit
 
 law = settings(deadline=None, max_examples=30, database=None)
-numbers = st.fractions(min_value=-4, max_value=4, max_denominator=3)
+numbers = few_fractions(-4, 4, 3)
 MEASURED = [[15, 1], [11, -1], [4, 4], [-1, 11], [1, 15]]
 
 
@@ -20,7 +20,7 @@ MEASURED = [[15, 1], [11, -1], [4, 4], [-1, 11], [1, 15]]
 def tasks(draw, most=5):
     """Data points, a degree and parameters with as many different ones among them as the degree needs."""
     degree, d = draw(st.integers(0, most)), draw(st.integers(1, 3))
-    inside = st.fractions(-1, 2, max_denominator=8)
+    inside = few_fractions(-1, 2, 8)
     t = draw(st.lists(inside, min_size=degree + 1, max_size=degree + 1, unique=True))
     t += draw(st.lists(st.one_of(inside, st.sampled_from(t)), max_size=5))
     data = draw(st.lists(st.lists(numbers, min_size=d, max_size=d), min_size=len(t), max_size=len(t)))

@@ -8,7 +8,7 @@ import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numeric_oracle import slope, value
+from numeric_oracle import few_fractions, slope, value
 from scipy.interpolate import CubicSpline
 
 from bezteach.numeric import elevate, from_power, hodograph, segment, split
@@ -19,9 +19,9 @@ DECK = [[0, 0], [1, 3], [2, 1], [3, 3]]
 FLAT_OUT = [[0, 0], [1, 0], [2, 0]]  # a line run through evenly: velocity (2, 0)
 
 law = settings(deadline=None, max_examples=30, database=None)
-numbers = st.fractions(min_value=-4, max_value=4, max_denominator=3)
-inside = st.fractions(F(1, 9), F(8, 9), max_denominator=9)
-lengths_of_intervals = st.tuples(*[st.fractions(F(1, 3), 3, max_denominator=3)] * 2)
+numbers = few_fractions(-4, 4, 3)
+inside = few_fractions(F(1, 9), F(8, 9), 9)
+lengths_of_intervals = st.tuples(*[few_fractions(F(1, 3), 3, 3)] * 2)
 
 
 def vectors(d):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numeric_oracle import powers, slope, value, weight
+from numeric_oracle import few_fractions, powers, slope, value, weight
 
 from bezteach.numeric import (
     bernstein,
@@ -30,9 +30,9 @@ DECK = [[0, 0], [1, 3], [2, 1], [3, 3]]
 ARCH = [[-9, 0], [-3, 6], [3, 6], [9, 0]]
 
 law = settings(deadline=None, max_examples=25, database=None)
-numbers = st.fractions(min_value=-5, max_value=5, max_denominator=7)
-parameters = st.fractions(min_value=-1, max_value=2, max_denominator=9)
-inside = st.fractions(min_value=0, max_value=1, max_denominator=11)
+numbers = few_fractions(-5, 5, 7)
+parameters = few_fractions(-1, 2, 9)
+inside = few_fractions(0, 1, 11)
 curves = st.integers(1, 3).flatmap(
     lambda d: st.lists(st.lists(numbers, min_size=d, max_size=d), min_size=1, max_size=7)
 )
@@ -169,7 +169,7 @@ def test_segment_of_a_segment(points, a, b, c, d):
 
 
 @law
-@given(curves, st.fractions(F(1, 9), 1, max_denominator=9))
+@given(curves, few_fractions(F(1, 9), 1, 9))
 def test_split_pieces_rejoin(points, t):
     left, right = split(points, t)
     assert segment(left, 0, 1 / t).tolist() == points
@@ -255,7 +255,7 @@ def test_polyline_is_within_the_tolerance(points, tolerance):
 @law
 @given(
     st.lists(st.lists(st.integers(-9, 9), min_size=2, max_size=2), min_size=2, max_size=5),
-    st.fractions(0, 1, max_denominator=5),
+    few_fractions(0, 1, 5),
 )
 def test_curvature_squared_is_exact(points, t):
     (x, y), (xx, yy) = slope(points, t, 1), slope(points, t, 2)

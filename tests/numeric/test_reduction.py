@@ -8,7 +8,7 @@ import pytest
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numeric_oracle import error, powers
+from numeric_oracle import error, few_fractions, powers
 from sympy import Poly, Rational, binomial, expand, integrate, symbols
 
 from bezteach.numeric import elevate, evaluate, lower
@@ -16,7 +16,7 @@ from bezteach.numeric import elevate, evaluate, lower
 DECK = [[0, 0], [1, 3], [2, 1], [3, 3]]
 
 law = settings(deadline=None, max_examples=25, database=None)
-numbers = st.fractions(min_value=-5, max_value=5, max_denominator=7)
+numbers = few_fractions(-5, 5, 7)
 curves = st.integers(1, 3).flatmap(
     lambda d: st.lists(st.lists(numbers, min_size=d, max_size=d), min_size=2, max_size=8)
 )
