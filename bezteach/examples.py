@@ -82,19 +82,19 @@ EXAMPLES = {
         _example(
             "deck/recursion",
             "1.2, property 6 of the basis",
-            "the quadratic basis from the linear one: B_{i,2} = (1-u) B_{stay,1} + u B_{move,1}, None for no term",
-            given={"degree": 2},
+            "the quadratic basis from the linear one: which function counts with 1 - u, and which one with u",
+            given={"degree": 2},  # B_{i,2} = (1 - u) B_{stay,1} + u B_{move,1}, without the term that is None
             printed={"stay": (0, 1, None), "move": (None, 0, 1)},
         ),
         _example(
             "deck/quartic",
             "1.2, property 6 of the curve, note on the convexity theorem",
-            "a quartic with a free height w: y = plain + w * beside_w, y'' likewise, and for which w it is convex",
+            "a quartic with a free height w: y and y'' in powers, and for which w it is convex",
             given={
                 "points": ((0, 0), (F(1, 4), F(1, 4)), (F(1, 2), "w"), (F(3, 4), F(1, 4)), (1, 0)),
                 "degree": 4,
             },
-            printed={
+            printed={  # y = y_plain + w y_beside_w, and y'' likewise
                 "x": (0, 1),
                 "y_plain": (0, 1, -3, 4, -2),
                 "y_beside_w": (0, 0, 6, 0, -6),

@@ -114,8 +114,9 @@ def table():
     """English and Chinese, and the first lesson that has the word, as a table to look at."""
     prose = _prose()
     places = {term: next((name for name, text in prose.items() if word in text), "") for term, word in TERMS.items()}
-    text = "\n".join(f"{term}: {word} ({places[term]})" for term, word in TERMS.items())
-    rows = "\n".join(f"| {term} | {word} | {places[term]} |" for term, word in TERMS.items())
+    found = [(term, TERMS[term], places[term]) for term in sorted(TERMS, key=places.get)]
+    text = "\n".join(f"{term}: {word} ({lesson})" for term, word, lesson in found)
+    rows = "\n".join(f"| {term} | {word} | {lesson} |" for term, word, lesson in found)
     return Page(text, f"| English | 中文 | lesson |\n|---|---|---|\n{rows}")
 
 

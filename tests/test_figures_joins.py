@@ -4,6 +4,7 @@ import re
 from fractions import Fraction as F
 
 import numpy as np
+import pytest
 
 from bezteach import figures
 from bezteach.numeric.joins import catmull_rom, natural
@@ -21,6 +22,15 @@ def test_four_pieces_of_the_one_sixth_rule_move_and_all_of_the_natural_spline():
     assert (len(thick(local)), len(thick(other))) == (4, 6)
     ends = [np.column_stack(line.get_data())[[0, -1]].tolist() for line in thick(local)]
     assert ends == [[[2, 5], [6, 6]], [[6, 6], [8, 2]], [[8, 2], [12, 0]], [[12, 0], [14, 5]]]
+
+
+def test_both_rules_are_drawn_to_one_scale():
+    local, other = MOVED.axes
+    MOVED.draw_without_rendering()
+    assert (local.get_xlim(), local.get_ylim()) == (other.get_xlim(), other.get_ylim())
+    assert local.bbox.bounds[1:] == pytest.approx(other.bbox.bounds[1:])
+    heights = [axes.title.get_window_extent().y0 for axes in MOVED.axes]
+    assert heights[0] == pytest.approx(heights[1])
 
 
 def test_it_says_how_many_and_whence():

@@ -25,3 +25,8 @@ def test_each_term_in_parentheses_in_a_lesson_is_in_the_glossary(lesson):
 def test_the_table_names_the_first_lesson():
     text = glossary.table().text
     assert "control point: 控制顶点 (01)" in text and "hodograph: 速端曲线 (07)" in text
+
+
+def test_the_terms_come_in_the_order_of_the_lessons():
+    lessons = re.findall(r"\((\d\d)\)$", glossary.table().text, flags=re.M)
+    assert lessons == sorted(lessons) and len(lessons) == len(glossary.TERMS)

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from bezteach.display import point
 from bezteach.questions import GOALS, QUESTIONS, Choice, Entry, judge, read
 from bezteach.questions.splitting import ARCH
+from bezteach.widgets.board.state import state_of
 
 CHOICES = {name: question for name, question in QUESTIONS.items() if isinstance(question, Choice)}
 ENTRIES = {name: question for name, question in QUESTIONS.items() if isinstance(question, Entry)}
@@ -123,6 +124,54 @@ def test_an_answer_partly_right_is_told_where_to_look():
     assert judge(question, "(0, 0)")[1] == (
         "The answer is 4 points with 2 coordinates; yours is one point with 2 coordinates."
     )
+
+
+@pytest.mark.parametrize(
+    ("name", "answer", "said"),
+    [
+        ("basis/exercise-values", "1/2, 1/2, 0", "The answer is 4 numbers; yours is 3 numbers."),
+        ("why/exercise-fit", "1", "The answer is 2 numbers; yours is a number."),
+        (
+            "elevation/exercise-nearest",
+            "(1, 2) (3, 4)",
+            "The answer is 3 numbers; yours is 2 points with 2 coordinates.",
+        ),
+        (
+            "splitting/exercise-cut-point",
+            "1, 2, 3",
+            "The answer is one point with 2 coordinates; yours is one point with 3 coordinates.",
+        ),
+    ],
+)
+def test_an_answer_of_another_shape_is_told_what_is_asked_for(name, answer, said):
+    assert judge(ENTRIES[name], answer) == (False, said)
+
+
+NUMBERS = {  # whose answers are several numbers and no point
+    "why/smooth",
+    "why/exercise-fit",
+    "definitions/exercise-to-powers",
+    "definitions/exercise-from-powers",
+    "basis/exercise-values",
+    "basis/exercise-coefficients",
+    "basis/exercise-part",
+    "curve/exercise-range",
+    "splitting/exercise-left-heights",
+    "elevation/exercise-nearest",
+}
+
+
+def test_points_alone_are_written_in_parentheses():
+    rows = {name for name, question in ENTRIES.items() if np.ndim(question.right()) == 1}
+    assert {name for name in rows if not ENTRIES[name].example.startswith("(")} == NUMBERS
+
+
+@pytest.mark.parametrize("count", range(2, 7))
+@pytest.mark.parametrize("name", GOALS)
+def test_a_goal_has_an_answer_for_any_number_of_points(name, count):
+    for points in ([(0, 0)] * count, [(k, k * k) for k in range(count)], [(k, 0) for k in range(count)]):
+        for t in (F(0), F(1, 2), F(1)):
+            assert GOALS[name].reached(state_of(points, t=t)) in (True, False)
 
 
 def test_right_answers_by_hand():

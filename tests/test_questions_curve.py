@@ -94,6 +94,7 @@ def quartic(w, *, side=F(1, 4)):
 def test_goal_of_the_dented_polygon(w, there):
     assert reached("dented", quartic(w)) == there
     assert not reached("dented", quartic(w, side=F(1, 2)))
+    assert not reached("dented", (*quartic(w), (1, 0))) and not reached("dented", quartic(w)[:2])
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,8 @@ def reached(name, right, place=None, to=None, t=F(1, 2)):
     [
         ((6, 4), F(1, 2), True),
         ((8, 4), F(1, 2), False),
-        ((8, 4), F(1, 3), True),
+        ((8, 4), F(1, 3), False),  # C1, but b_3 is not in the middle
+        ((6, 4), F(1, 3), False),
         ((2, 4), F(1, 2), False),
         ((4, 2), F(1, 2), False),
     ],
@@ -53,3 +54,8 @@ def test_goals_of_the_second_derivative(to, is_c2, is_g2_alone):
 def test_goals_of_the_second_derivative_want_the_other_points_where_they_were():
     assert not reached("close-the-frame", ((4, 4), (6, 4), (8, 2), (9, 9)))
     assert not reached("same-bend", EVEN, 5, (9, 2), t=F(1, 3))
+
+
+@pytest.mark.parametrize("name", ["no-corner", "close-the-frame", "same-bend"])
+def test_a_goal_that_wants_equal_intervals_says_so(name):
+    assert GOALS[f"joining/{name}"].text.startswith("Task: t stays 1/2.")

@@ -40,7 +40,7 @@ def curvatures(curves):
 def reach(data, place, to):
     """Splines by both rules before and after a data point is moved; the pieces that move with it are drawn thick."""
     figure = Figure(figsize=(10.4, 3.4), layout="constrained")
-    panels = figure.subplots(1, 2)
+    panels = figure.subplots(1, 2, sharex=True, sharey=True)
     after = [to if i == place else there for i, there in enumerate(data)]
     told = [_spread(axes, name, data, after) for axes, name in zip(panels, RULES, strict=True)]
     x, y = np.asarray([*data, to], dtype=float).T
@@ -51,6 +51,7 @@ def reach(data, place, to):
         word(axes, (x[-1], y[-1]), f"$D_{{{place}}}$", np.array([1.0, 0.4]))
         axes.set(aspect="equal")
         axes.margins(0.12)
+        axes.locator_params(axis="x", nbins=5)
     count = len(data) - 1
     figure.set_label(
         f"D_{place} of {count + 1} data points is moved from {point(data[place])} to {point(to)}. Of {count} pieces "

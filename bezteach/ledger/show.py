@@ -8,8 +8,11 @@ from bezteach.symbolic import Derivation, Step, latex
 from .claim import Argument, Chain, Computed, Known, Shown, given_latex, statement_latex
 from .report import erratum_lines, plain
 
-INDEXED = re.compile(r"(\b[A-Za-z]_(?:\{[^{}]*\}|\w+)(?:\^(?:\{[^{}]*\}|\w))?|\b[A-Za-z]\^(?:\{[^{}]*\}|\w))")
-LONG = 110  # characters of LaTeX that fit into a line
+LETTER = r"\b[A-Za-z]_(?:\{[^{}]*\}|\w+)(?:\^(?:\{[^{}]*\}|\w))?|\b[A-Za-z]\^(?:\{[^{}]*\}|\w)"
+INDEXED = re.compile(rf"((?:{LETTER})(?:[.,;](?=\s|$))?)")  # with its stop, which must not begin a line
+LONG = 110  # characters of LaTeX that fit into a line beside words
+WIDE = 100  # letters that fit into a line of their own
+UNSEEN = re.compile(r"\\\\.*?(?=\\end)|\\(?:begin|end)\{matrix\}|\\[A-Za-z]+|[{}_^\s\\]")  # and lower rows
 MARK = {Known: "claim", Shown: "proved", Computed: "computed"}
 
 
@@ -74,7 +77,8 @@ def formula(statement, given):
     """A statement as a displayed formula with its ranges; a chain with a line for each of its lines."""
     where = rf"\qquad ({given_latex(given)})" if given else ""
     if not isinstance(statement, Chain):
-        return f"$${statement_latex(statement)}{where}$$"
+        written = statement_latex(statement) + where
+        return f"$${_in_lines(written) if _is_wide(written) else written}$$"
     rows = [
         f"&{'=' if number else chr(92) + 'phantom{=}'} {latex(line)}" for number, line in enumerate(statement.lines)
     ]
@@ -97,8 +101,36 @@ def _beside(step):
     written = statement_latex(step.statement)
     if len(written) <= LONG or " = " not in written:
         return rf" $\displaystyle {written}$"
-    left, right = written.split(" = ", 1)
-    return rf" $\begin{{aligned}}[t] &{left} \\ &= {right}\end{{aligned}}$"
+    return f" ${_in_lines(written, '[t]')}$"
+
+
+def _in_lines(equation, place=""):
+    """An equation with a line for each side."""
+    lines = [line for side in re.split(" (?== )", equation) for line in _lines_of(side)]
+    return rf"\begin{{aligned}}{place} &" + r" \\[1ex] &".join(lines) + r"\end{aligned}"
+
+
+def _lines_of(side):
+    """A side in one line; if it is too wide for it, in a line for each term that stands in no bracket."""
+    if not _is_wide(side):
+        return [side]
+    first, *others = re.split("(?<!=)(?= [+-] )", side)
+    lines = [first]
+    for term in others:
+        if _closed(lines[-1]):
+            lines.append(rf"\quad{term}")
+        else:
+            lines[-1] += term
+    return lines
+
+
+def _is_wide(written):
+    return len(UNSEEN.sub("", written)) > WIDE
+
+
+def _closed(written):
+    pairs = ((r"\left", r"\right"), ("{", "}"), ("(", ")"))
+    return all(written.count(opening) == written.count(closing) for opening, closing in pairs)
 
 
 def _mark(step):

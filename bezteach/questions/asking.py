@@ -26,7 +26,8 @@ class Choice(NamedTuple):
 class Entry(NamedTuple):
     """Type numbers or points: ``right`` and each of ``mistakes``, (answer, feedback), are computed when asked for.
 
-    An answer is a number, a point (shape (d,)) or a list of points (shape (m, d)).
+    An answer is a number, a point or a list of numbers (both of shape (d,)), or a list of points (shape (m, d)). The
+    ``example`` shows how it is written, points alone in parentheses.
     """
 
     text: str
@@ -61,17 +62,17 @@ def judge(question, answer):
         given = read(answer)
     except ValueError as problem:
         return None, f"{problem} Write it like {question.example}."
-    return _compared(given, _exact(question.right()), question.mistakes())
+    return _compared(given, _exact(question.right()), question.mistakes(), question.example.startswith("("))
 
 
-def _compared(given, right, mistakes):
+def _compared(given, right, mistakes, points):
     if given == right:
         return True, "Right."
     for mistake, feedback in mistakes:
         if given == _exact(mistake):
             return False, feedback
     if _shape(given) != _shape(right):
-        return False, f"The answer is {_named(_shape(right))}; yours is {_named(_shape(given))}."
+        return False, f"The answer is {_named(_shape(right), points)}; yours is {_named(_shape(given), points)}."
     if isinstance(right, tuple) and isinstance(right[0], tuple):
         wrong = [i for i, (mine, true) in enumerate(zip(given, right, strict=True), 1) if mine != true]
         return (
@@ -148,9 +149,10 @@ def _shape(answer):
     return np.shape(np.array(answer, dtype=object))
 
 
-def _named(shape):
+def _named(shape, points):
+    """What an answer of this shape is, where several numbers are a point or only numbers."""
     if not shape:
         return "a number"
     if len(shape) == 1:
-        return f"one point with {shape[0]} coordinates"
+        return f"one point with {shape[0]} coordinates" if points else f"{shape[0]} number{'s' * (shape[0] != 1)}"
     return f"{shape[0]} points with {shape[1]} coordinates"

@@ -161,7 +161,7 @@ QUESTIONS = {
         "Exercise 1. The values B₀,₃, B₁,₃, B₂,₃, B₃,₃ at t = 1/3:",
         lambda: bernstein(3, F(1, 3)),
         _at_a_third,
-        "(1/2, 1/4, 1/8, 1/8)",
+        "1/2, 1/4, 1/8, 1/8",
     ),
     "basis/exercise-peak": Entry(
         "Exercise 2. The greatest value of B₁,₄ on [0, 1]:",
@@ -205,7 +205,7 @@ QUESTIONS = {
             ),
             ((0, 0, F(2, 3), 1), "C(2, 2) over C(3, 2) is the coefficient of B₂: which fraction is that?"),
         ],
-        "(1, 0, 1/2, 1)",
+        "1, 0, 1/2, 1",
     ),
     "basis/exercise-part": Entry(
         "Exercise 6. B₂,₂(t) = t², for t up to 1/2 only, in terms of u = 2t. Its coefficients in the Bernstein "
@@ -215,7 +215,7 @@ QUESTIONS = {
             ((0, 0, 1), "At u = 1, that is t = 1/2, the function is not 1."),
             ((0, 0, F(1, 2)), "At u = 1 it is t² with t = 1/2."),
         ],
-        "(0, 1, 1/2)",
+        "0, 1, 1/2",
     ),
 }
 

@@ -217,7 +217,8 @@ GOALS = {
         "Reached. Prolong the edges b₀b₁ and b₃b₂ by half their length: where do they end?",
     ),
     "elevation/cut-off": Goal(
-        "Task: move the line so that it passes the polygon three times and the elevated polygon only once.",
+        "Task: leave the control points (Reset puts them back), and move the line so that it passes the polygon three "
+        "times and the elevated polygon only once.",
         lambda state: (
             state.points == CUBIC
             and (_changes(CUBIC, state.line), _changes(elevate(CUBIC, state.raised), state.line)) == (3, 1)

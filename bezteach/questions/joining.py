@@ -243,34 +243,34 @@ def _report(state):
     return continuity(state.points[:4], state.points[3:], (state.t, 1 - state.t))
 
 
-def _inside(state):
-    return 0 < state.t < 1
+def _moved_alone(state, right, place):
+    """Whether both intervals are equal, and no point of the two cubics but the one at ``place`` has moved."""
+    return state.t == F(1, 2) and all_but(place, state, (*LEFT, *right[1:]))
 
 
 def _moved_to(right, place, name):
-    start = (*LEFT, *right[1:])
-    return lambda state: all_but(place, state, start) and _inside(state) and getattr(_report(state), name).holds
+    return lambda state: _moved_alone(state, right, place) and getattr(_report(state), name).holds
 
 
 def _bend_goes_on(state):
     """G2 without C2, by moving b_5 alone."""
-    report = _report(state) if all_but(5, state, (*LEFT, *EVEN[1:])) and state.t == F(1, 2) else None
+    report = _report(state) if _moved_alone(state, EVEN, 5) else None
     return bool(report and report.G2.holds and not report.C2.holds)
 
 
 GOALS = {
     "joining/no-corner": Goal(
-        "Task: move b₄, and no other point, so that the join is C1.",
+        "Task: t stays 1/2. Move b₄, and no other point, so that the join is C1.",
         _moved_to(CORNER, 4, "C1"),
         "Reached: b₃ is in the middle of b₂ and b₄. Is it the only place?",
     ),
     "joining/clock": Goal(
         "Task: move no point. Find the t, where the parameter passes the join, for which the join is C1.",
-        lambda state: state.points == (*LEFT, *FAST[1:]) and _inside(state) and _report(state).C1.holds,
+        lambda state: state.points == (*LEFT, *FAST[1:]) and 0 < state.t < 1 and _report(state).C1.holds,
         "Reached: the intervals are as long as the edges, 1 : 2.",
     ),
     "joining/close-the-frame": Goal(
-        "Task: move b₅, and no other point, so that the join is C2: circle and square must meet.",
+        "Task: t stays 1/2. Move b₅, and no other point, so that the join is C2: circle and square must meet.",
         _moved_to(EVEN, 5, "C2"),
         "Reached: one tip, one second derivative.",
     ),

@@ -277,7 +277,7 @@ QUESTIONS = {
         "Exercise 10. A polynomial has the heights 2, -3, 1. Cut it at t = 1/2: the heights of the left half.",
         lambda: split(TWO_ROOTS, F(1, 2))[0],
         _two_roots_left,
-        "(1, 2, 7/2)",
+        "1, 2, 7/2",
     ),
     "splitting/exercise-count": Choice(
         "Exercise 11. The same polynomial, 2, -3, 1, and its right half too: what do the signs tell now?",
@@ -335,7 +335,8 @@ def _middle_edge(state):
 
 GOALS = {
     "splitting/middle-edge": Goal(
-        "Task: choose a and b so that the part's middle edge is horizontal and 2 long, from left to right.",
+        "Task: leave the control points, and choose a and b so that the part's middle edge is horizontal and 2 long, "
+        "from left to right.",
         lambda state: state.points == ARCH and _middle_edge(state) == (2, 0),
         "Reached. How are a and b related, and how does the length of the middle edge depend on them?",
     ),
@@ -345,7 +346,8 @@ GOALS = {
         "Reached: one halving less is not enough. How many more does a polygon ten times as large need?",
     ),
     "splitting/three-changes-one-root": Goal(
-        "Task: the polygon must still pass the axis three times, the curve once only.",
+        "Task: leave the line, and move the heights: the polygon must still pass the axis three times, the curve once "
+        "only.",
         _three_changes_one_root,
         "Reached: three changes of sign, one root. Which numbers of roots are impossible with three changes?",
     ),

@@ -126,15 +126,24 @@ def _parted(items, test):
 _SPECIAL = {"\\": r"\backslash ", "^": r"\wedge "} | {mark: "\\" + mark for mark in "_{}%$#&"}
 
 
+_POWER = r"\^[^\W_]+"  # with an exponent of letters and digits
+
+
 def in_words(text):
     r"""Words as LaTeX sets them inside a formula; a mark with a meaning of its own stands outside the words, where
-    MathJax and KaTeX know its name.
+    MathJax and KaTeX know its name, and an exponent where it belongs.
 
-    >>> print(in_words("at b_0"))
-    \text{at b}\_\text{0}
+    >>> print(in_words("at b_0"), in_words("p^e"))
+    \text{at b}\_\text{0} \text{p}{}^{\text{e}}
     """
-    runs = re.split(r"([\\^_{}%$#&])", text)
-    return "".join(_SPECIAL.get(run) or rf"\text{{{run}}}" for run in runs if run)
+    runs = re.split(rf"({_POWER}|[\\^_{{}}%$#&])", text)
+    return "".join(map(_run, filter(None, runs)))
+
+
+def _run(run):
+    if re.fullmatch(_POWER, run):
+        return rf"{{}}^{{\text{{{run[1:]}}}}}"
+    return _SPECIAL.get(run) or rf"\text{{{run}}}"
 
 
 def latex(expr):

@@ -5,6 +5,7 @@ from itertools import zip_longest
 from xml.etree import ElementTree
 
 from bezteach.widgets.board import svg
+from bezteach.widgets.board.export import page
 
 SVG = "{http://www.w3.org/2000/svg}"
 PLACES = ("points", "cx", "cy", "r", "x", "y", "width", "height", "viewBox")
@@ -32,6 +33,15 @@ WORDS = """(root, html) => {
   const words = node => [...node.querySelectorAll("b, p, td")].map(one => one.textContent);
   return [words(root.querySelector(".bt-readout")), words(python)];
 }"""
+
+
+def reachable_page(board, folder):
+    """The address of a board's exported page, with its stand-in for Python as ``board`` within the reach of a test."""
+    hidden, reachable = "model: standIn(", "model: globalThis.board = standIn("
+    content = page(board, "a board")
+    assert content.count(hidden) == 1
+    (folder / "board.html").write_text(content.replace(hidden, reachable), encoding="utf-8")
+    return (folder / "board.html").as_uri()
 
 
 class Screen:

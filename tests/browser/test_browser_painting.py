@@ -5,12 +5,11 @@ import random
 from fractions import Fraction as F
 
 import pytest
-from browser_screen import PICTURE, differences
+from browser_screen import PICTURE, differences, reachable_page
 
 from bezteach.palette import FIRST, INK, QUIET, SECOND
 from bezteach.widgets import Board
 from bezteach.widgets.board import LAYERS
-from bezteach.widgets.board.export import page
 from bezteach.widgets.board.marks import STYLES, Mark
 from bezteach.widgets.board.state import DEEPEST, HIGHEST
 
@@ -40,21 +39,12 @@ def painted(opened, tmp_path):
         kind = (board.vertical, board.letter)
         if kinds.get("open") != kind:
             kinds["open"] = kind
-            opened.page.goto(_reachable_page(board, tmp_path))
+            opened.page.goto(reachable_page(board, tmp_path))
         sent = json.loads(json.dumps([board.get_state(["state"])["state"], board.view, board.answer["marks"]]))
         return opened.page.evaluate(PAINT, sent)
 
     yield paint
     assert opened.complaints() == []
-
-
-def _reachable_page(board, folder):
-    """The exported page, with its stand-in for Python within the reach of a test."""
-    hidden, reachable = "model: standIn(", "model: globalThis.board = standIn("
-    content = page(board, "a board")
-    assert content.count(hidden) == 1
-    (folder / "board.html").write_text(content.replace(hidden, reachable), encoding="utf-8")
-    return (folder / "board.html").as_uri()
 
 
 def random_board(chance):

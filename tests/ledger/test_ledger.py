@@ -13,6 +13,7 @@ from bezteach.ledger.errata import found
 from bezteach.ledger.judging import judged
 from bezteach.ledger.reading import amended, refuted, refuted_words
 from bezteach.ledger.report import claim_record, erratum_record
+from bezteach.ledger.show import formula
 from bezteach.ledger.summary import summary, written_into
 from bezteach.proof import Verdict, prove
 from bezteach.symbolic import B, i, n, t
@@ -141,6 +142,24 @@ def test_a_claim_is_shown_with_its_place_its_proof_and_its_neighbours():
 def test_an_argument_is_shown_with_what_is_checked():
     text = repr(ledger.show("curve/hull"))
     assert "ARGUED" in text and "[words]" in text and "[claim basis/unity]" in text
+
+
+def test_a_side_too_wide_for_a_line_has_a_line_for_each_term():
+    page = ledger.show("interpolation/c2")._repr_markdown_()
+    assert page.count(r"\\[1ex] &\quad - \left. \frac{d^{2}}{d t^{2}}") == 1
+    assert page.count(r"\\[1ex] &= 6 {D}_{2} - 2 {v}_{2}") == 1
+
+
+def test_an_equation_too_wide_for_a_line_has_a_line_for_each_side():
+    wide, narrow = (ledger.CLAIMS[id] for id in ("joins/c2/points", "examples/parabola"))
+    assert formula(wide.statement, wide.given).count(r"\\[1ex] &= ") == 1
+    assert "aligned" not in formula(narrow.statement, narrow.given)
+
+
+def test_the_stop_after_a_letter_with_an_index_is_in_its_formula():
+    page = ledger.show("interpolation/c2")._repr_markdown_()
+    assert "from $D_i$ to $D_{i+1}.$\n" in page and "$D_0,$ ..., $D_N$ a velocity" in page
+    assert not re.search(r"\$[.,;](\s|$)", page, flags=re.M)
 
 
 def test_the_lines_of_a_printed_proof_are_a_derivation():

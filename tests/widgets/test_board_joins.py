@@ -49,7 +49,8 @@ def test_intervals_take_turns():
 
 def test_a_smooth_join():
     assert said(SMOOTH, "pieces") == {
-        "Join (拼接) at b_3, intervals 1/2 and 1/2": (
+        "Join (拼接) at b₃, intervals 1/2 and 1/2": (
+            ("C0", "yes", "q - p: (0, 0)"),
             ("C1", "yes", "q' - p': (0, 0)"),
             ("G1", "yes", "q' - β p', β = 1: (0, 0)"),
             ("C2", "yes", "q'' - p'': (0, 0)"),
@@ -60,15 +61,28 @@ def test_a_smooth_join():
 
 def test_the_same_points_over_other_intervals_lose_c1_and_keep_g1():
     [rows] = said(SMOOTH, "pieces", F(1, 3)).values()
-    assert [(name, verdict) for name, verdict, _ in rows] == [("C1", "no"), ("G1", "yes"), ("C2", "no"), ("G2", "yes")]
+    assert [row[:2] for row in rows[1:]] == [("C1", "no"), ("G1", "yes"), ("C2", "no"), ("G2", "yes")]
     # 3 (2, 0) over 1/3 arrives, over 2/3 starts; likewise 6 (0, -2) and 6 (0, -2) over the squares
-    assert rows[0][2] == "q' - p': (-9, 0)"
-    assert rows[2][2] == "q'' - p'': (0, 81)"
+    assert rows[1][2] == "q' - p': (-9, 0)"
+    assert rows[3][2] == "q'' - p'': (0, 81)"
 
 
 def test_a_corner_has_the_whole_of_the_next_velocity_left_over():
     [rows] = said(((0, 0), (1, 0), (2, 0), (3, 0), (2, 0), (1, 1), (0, 1)), "pieces").values()
-    assert rows[1] == ("G1", "no", "q': (-6, 0)")
+    assert rows[2] == ("G1", "no", "q': (-6, 0)")
+
+
+def test_a_class_that_lacks_only_the_one_below_it_says_so():
+    """At a corner β is 0, and so is what G2 leaves over; on a straight line C2 may leave nothing over without C1."""
+    corner = ((0, 0), (0, 2), (2, 4), (4, 4), (4, 2), (6, 0), (8, 2))
+    assert said(corner, "pieces")["Join (拼接) at b₃, intervals 1/2 and 1/2"][2:] == (
+        ("G1", "no", "q': (0, -12)"),
+        ("C2", "no", "q'' - p'': (48, 48)"),
+        ("G2", "no", "needs G1"),
+    )
+    [rows] = said(((0, 0), (1, 0), (2, 0), (3, 0), (5, 0), (7, 0), (9, 1)), "pieces").values()
+    assert [row[:2] for row in rows[1:]] == [("C1", "no"), ("G1", "yes"), ("C2", "no"), ("G2", "yes")]
+    assert rows[3][2] == "needs C1"
 
 
 def test_without_a_tangent_the_geometric_classes_are_open():
@@ -79,7 +93,7 @@ def test_without_a_tangent_the_geometric_classes_are_open():
 @pytest.mark.parametrize("t", [0, 1])
 def test_an_interval_without_length_joins_nothing(t):
     [(title, rows)] = said(SMOOTH, "pieces", t).items()
-    assert title == f"Join (拼接) at b_3, intervals {t} and {1 - t}"
+    assert title == f"Join (拼接) at b₃, intervals {t} and {1 - t}"
     assert rows == (("one interval has no length", "nothing joins"),)
 
 
@@ -90,7 +104,7 @@ def test_one_piece_has_no_join(layer):
 
 def test_the_frame_of_a_smooth_join_closes():
     assert said(SMOOTH, "frames") == {
-        "A-frame at b_3: C1 with one tip is C2": (
+        "A-frame at b₃: C1 with one tip is C2": (
             ("tip from the left", "(4, 6)"),
             ("tip from the right", "(4, 6)"),
         )
@@ -105,7 +119,7 @@ def test_the_legs_are_as_long_as_the_intervals_tell():
 
 def test_a_piece_that_is_no_cubic_has_no_frame():
     assert said(SMOOTH[:6], "frames") == {
-        "A-frame at b_3: C1 with one tip is C2": (("none: a piece is no cubic, or has no interval",),)
+        "A-frame at b₃: C1 with one tip is C2": (("none: a piece is no cubic, or has no interval",),)
     }
     assert marks("line", SMOOTH[:6], "frames") == []
 

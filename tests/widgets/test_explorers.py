@@ -150,6 +150,19 @@ def test_points_that_leave_the_view_make_it_grow():
     assert panel.board.view[3] > 40
 
 
+@pytest.mark.parametrize("moved", ["board", "powers"])
+def test_back_at_the_start_both_views_are_the_first_ones_again(moved):
+    panel = widgets.explore_powers()
+    board = getattr(panel, moved)
+    start, views = board.points, [panel.board.view, panel.powers.view]
+    board.points = graph((0, 0, 0, 40))
+    assert panel.board.view[3] > 40 and panel.powers.view[3] > 40
+    board.points = graph((0, 1, 0, 40))
+    assert panel.board.view[3] > 40
+    board.points = start
+    assert [panel.board.view, panel.powers.view] == views
+
+
 def test_the_graph_on_the_right_follows():
     panel = widgets.explore_powers()
     panel.board.points = graph((2, 2, 2, 2))
@@ -178,6 +191,24 @@ def test_slider_and_board_of_the_quartic_move_each_other():
     assert "convex, it bends one way only" in panel.text
     panel.controls["w"].value = F(9, 16)
     assert "2 inflection points: not convex" in panel.text
+
+
+def test_the_slider_of_the_quartic_follows_its_point():
+    panel = widgets.explore_quartic(F(1, 4))
+    moved = (*quartic(F(1, 4))[:1], (F(1, 4), F(1, 2)), (F(1, 2), F(-3, 16)), *quartic(F(1, 4))[3:])
+    panel.board.points = moved
+    assert panel.controls["w"].value == F(-3, 16) and panel.board.points == moved
+    panel.controls["w"].value = F(3, 8)
+    assert panel.board.points == (*moved[:2], (F(1, 2), F(3, 8)), *moved[3:])
+    panel.board.points = quartic(F(1, 3))
+    assert panel.controls["w"].value == F(3, 8) and panel.board.points == quartic(F(1, 3))
+
+
+def test_where_the_quartic_s_point_can_be_dragged_the_slider_stops():
+    board = widgets.explore_quartic().board
+    _, low, _, high = board.view
+    step = F(board.grid)
+    assert [k * step for k in range(-99, 99) if low <= k * step <= high] == list(STOPS)
 
 
 def test_a_straight_graph_has_no_inflection_point():

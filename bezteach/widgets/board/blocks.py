@@ -10,7 +10,10 @@ import numpy as np
 
 from ...display import number, point
 
-WIDTH = 6  # cells in a row of a list
+WIDTH = 6  # cells in a row of a list, at most
+LINE = 64  # characters in it, with the gaps: so many stand beside the picture in a window of 1300 pixels
+SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+SUPERSCRIPTS = str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 class Block(NamedTuple):
@@ -44,7 +47,8 @@ def text(said):
 
 def cells(texts):
     """A list as rows that are not too long."""
-    return tuple(tuple(texts[i : i + WIDTH]) for i in range(0, len(texts), WIDTH))
+    width = max(1, min(WIDTH, LINE // (2 + max(map(len, texts)))))
+    return tuple(tuple(texts[i : i + width]) for i in range(0, len(texts), width))
 
 
 def listed(points):
@@ -57,9 +61,18 @@ def exact_array(points):
     return np.array(points, dtype=object)
 
 
-def name_of(i, level=0):
-    """The name of a control point, or of one of a level of de Casteljau's."""
-    return f"b_{i}^{level}" if level else f"b_{i}"
+def name_of(i, level=0, letter="b"):
+    """The name of a control point, or of one of a level of de Casteljau's.
+
+    >>> name_of(12), name_of(0, 2)
+    ('b₁₂', 'b₀²')
+    """
+    return letter + str(i).translate(SUBSCRIPTS) + (power(level) if level else "")
+
+
+def power(exponent):
+    """A whole number as it is written over the line."""
+    return str(exponent).translate(SUPERSCRIPTS)
 
 
 def root_of(square, sign=""):

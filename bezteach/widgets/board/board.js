@@ -346,6 +346,16 @@ function outward(here, neighbours) {
 const beside = (pixels, size) =>
   pixels.map((dot, i) => together(dot, outward(dot, [pixels[i - 1], pixels[i + 1]].filter(Boolean)), AWAY * size));
 
+// Names of a line's two points: across it, on the other side where a control point or its name is in the way.
+function acrossLine([p, q], taken, size) {
+  const room = (at) => Math.min(...taken.map((other) => Math.hypot(...subtract(at, other))));
+  return [[p, q], [q, p]].map(([end, other]) => {
+    const across = outward(end, [other, together(end, subtract(end, other), 1)]);
+    const [one, opposite] = [1, -1].map((side) => together(end, across, side * AWAY * size));
+    return room(one) < AWAY * size && room(opposite) > room(one) ? opposite : one;
+  });
+}
+
 const rounded = (x) => x.toFixed(1);
 const escaped = (text) => text.replace(/[&<>"]/g, (sign) => `&#${sign.charCodeAt(0)};`);
 
@@ -438,6 +448,7 @@ function render({ model, el }) {
   let selected = null;
   let playing = null;
   let frame = null;
+  let held = null;
   let history = [];
   let width = 640;
   let own = JSON.stringify(model.get("answer").marks); // what Python wants painted under the layers
@@ -489,7 +500,7 @@ function render({ model, el }) {
     ...state.points.map((at, index) => ({ at, list: "points", index, name: nameOf(model.get("letter"), index) })),
     ...(state.show.includes("line") ? state.line.map((at, index) => ({ at, list: "line", index, name: "PQ"[index] })) : []),
   ];
-  const view = () => model.get("view").map(Number);
+  const view = () => held?.view ?? model.get("view").map(Number); // which stays while a point is dragged
   const inside = (steps, axis) => {
     const [p, q] = grid();
     const unit = Number(p) / Number(q);
@@ -525,18 +536,18 @@ function render({ model, el }) {
     const box = svg.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
   };
-  const nearest = (at) =>
+  const nearest = (at) => // of two in one place the one painted later, a line's
     handles()
+      .reverse()
       .map((handle) => ({ handle, distance: Math.hypot(...subtract(frame.place(handle.at.map(value)), at)) }))
       .filter(({ distance }) => distance <= REACH * size())
       .sort((one, other) => one.distance - other.distance)[0]?.handle;
-  let held = null;
   svg.addEventListener("pointerdown", (event) => {
     const handle = nearest(where(event));
     if (!handle || event.button > 0) return;
     event.preventDefault();
     svg.setPointerCapture(event.pointerId);
-    held = { ...handle, fresh: true, offset: subtract(frame.place(handle.at.map(value)), where(event)) };
+    held = { ...handle, fresh: true, view: view(), offset: subtract(frame.place(handle.at.map(value)), where(event)) };
     focusOn(handle);
   });
   svg.addEventListener("pointermove", (event) => {
@@ -549,7 +560,11 @@ function render({ model, el }) {
     drag({ ...held, at: state[held.list][held.index] }, to, { recorded: held.fresh });
     if (state !== before) held.fresh = false;
   });
-  for (const ending of ["pointerup", "pointercancel"]) svg.addEventListener(ending, () => (held = null));
+  const release = () => {
+    held = null;
+    paint();
+  };
+  for (const ending of ["pointerup", "pointercancel"]) svg.addEventListener(ending, release);
   svg.addEventListener("touchmove", (event) => held && event.preventDefault(), { passive: false });
 
   const focusOn = ({ list, index }) => above.querySelector(`[data-handle="${list}${index}"]`)?.focus({ preventScroll: true });
@@ -587,7 +602,7 @@ function render({ model, el }) {
     return inside(BigInt(Math.round((value(text) * Number(q)) / Number(p))), axis);
   };
   const remove = () => {
-    if (state.points.length <= 2) return;
+    if (state.points.length <= 2 || model.get("vertical")) return;
     const i = current();
     become({ points: state.points.filter((_, k) => k !== i), level: null });
     focusOn({ list: "points", index: Math.max(i - 1, 0) });
@@ -711,12 +726,13 @@ function render({ model, el }) {
   const paintHandles = () => {
     const wanted = handles();
     const places = wanted.map(({ at }) => frame.place(at.map(value)));
-    const names = beside(places.slice(0, state.points.length), size());
+    const [points, ends] = [places.slice(0, state.points.length), places.slice(state.points.length)];
+    const names = beside(points, size());
+    if (ends.length) names.push(...acrossLine(ends, [...points, ...names], size()));
     const focused = above.querySelector(":focus")?.dataset.handle;
     put(above, wanted.map(({ at, list, index, name }, i) => {
       const [x, y] = places[i];
       const circle = (kind, r) => ["circle", { class: kind, cx: rounded(x), cy: rounded(y), r: r * size() }];
-      const named = list === "points" ? names[i] : [x, y - AWAY * size()];
       const attributes = {
         "data-handle": list + index,
         class: "bt-handle",
@@ -726,7 +742,7 @@ function render({ model, el }) {
         "aria-valuenow": value(at[1]),
         "aria-valuetext": `(${at.join(", ")})`,
       };
-      return ["g", attributes, [word(named, name, size()), circle("bt-ring", 12), circle("bt-dot", 7)]];
+      return ["g", attributes, [word(names[i], name, size()), circle("bt-ring", 12), circle("bt-dot", 7)]];
     })); // prettier-ignore
     const stays = focused && above.querySelector(`[data-handle="${focused}"]`);
     if (stays && !stays.matches(":focus")) stays.focus({ preventScroll: true });

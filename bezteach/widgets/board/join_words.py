@@ -42,20 +42,24 @@ def _join(left, right, lengths, name):
 
 def _left_over(report):
     """The classes that are decided, and what of each equation is left over; p ends at the join, q starts there."""
-    derivatives = [("C1", "q' - p'"), ("C2", "q'' - p''")]
+    position, velocity, second = ("C0", "q - p"), ("C1", "q' - p'"), ("C2", "q'' - p''")
     if report.vanishing:
-        return derivatives
+        return [position, velocity, second]
     beta, gamma = number(report.beta), number(report.gamma)
     return [
-        derivatives[0],
+        position,
+        velocity,
         ("G1", "q'" if report.beta <= 0 else f"q' - β p', β = {beta}"),
-        derivatives[1],
-        ("G2", f"q'' - β² p'' - γ p', γ = {gamma}"),
+        second,
+        ("G2", f"q'' - β² p'' - γ p', γ = {gamma}" if report.G1.holds else None),
     ]
 
 
 def _class(name, condition, left_over):
-    return name, "yes" if condition.holds else "no", f"{left_over}: {point(condition.residual)}"
+    """A row; a class that does not hold, but leaves nothing over, lacks the one below it."""
+    lacks_below = not condition.holds and (left_over is None or not condition.residual.any())
+    said = f"needs {name[0]}1" if lacks_below else f"{left_over}: {point(condition.residual)}"
+    return name, "yes" if condition.holds else "no", said
 
 
 def _frame(left, right, lengths, name):

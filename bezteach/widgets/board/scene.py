@@ -5,18 +5,17 @@ from fractions import Fraction
 import numpy as np
 
 from ... import numeric
+from .blocks import name_of
 from .crossings import curve_crossings, polygon_crossings
 from .joining import frames, local, natural, pieces
 from .marks import STYLES, Mark, mark, rows
-
-SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
 def scene(state, letter="b"):
     """The marks of all layers shown, from the bottom to the top, the control points and their names last."""
     points = np.asarray(state.points, dtype=float)
     marks = [one for name in state.show for one in PAINTED[name](points, state)]
-    names = tuple(f"{letter}{str(i).translate(SUBSCRIPTS)}" for i in range(len(points)))
+    names = tuple(name_of(i, letter=letter) for i in range(len(points)))
     handles = [mark("dots", points, "new"), Mark("names", rows(points), STYLES["new"], names)]
     return marks + handles
 

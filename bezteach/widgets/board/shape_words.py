@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 
+from ... import numeric
 from ...display import number, point
 from ...numeric import sign_changes
 from .blocks import Block, cells, exact_array, name_of, root_of, times
@@ -60,7 +61,7 @@ def _curvature(near, names, n, end):
     return (
         (f"length L of the edge {' '.join(names[own])}", root_of(length2)),
         (f"area of the parallelogram {' '.join(names[:2])}, {' '.join(names[1:])}", number(area)),
-        (f"curvature {number(Fraction(n - 1, n))} area / L^3", root_of(1 / radius2, "-" if area < 0 else "")),
+        (f"curvature {number(Fraction(n - 1, n))} area / L³", root_of(1 / radius2, "-" if area < 0 else "")),
         ("its square", number(1 / radius2)),
         ("the curve turns", "left" if area > 0 else "right"),
         ("radius", root_of(radius2)),
@@ -71,22 +72,22 @@ def _curvature(near, names, n, end):
 
 def line_said(state):
     found = heights(exact_array(state.points), exact_array(state.line)).tolist()
+    raised = numeric.elevate(found, state.raised).tolist() if "elevated" in state.show else None
     return [
         Block("Heights over the line, times the distance of its two points", cells([number(h) for h in found])),
-        Block("The line passes, the curve never more often (变差缩减)", _passages(found)),
+        Block("The line passes, the curve never more often (变差缩减)", _passages(found, raised)),
     ]
 
 
-def _passages(found):
+def _passages(found, raised):
     inside = roots_inside(found)
     if inside is None:
         return (("polygon and curve lie on the line",),)
     passages, touches = inside
     ends = ((found[0], name_of(0), "begin"), (found[-1], name_of(len(found) - 1), "end"))
-    rows = [
-        ("through the polygon", times(sign_changes(found))),
-        ("through the curve", times(passages)),
-    ]
+    rows = [("through the polygon", times(sign_changes(found)))]
+    rows += [(f"through the polygon in degree {len(raised) - 1}", times(sign_changes(raised)))] if raised else []
+    rows += [("through the curve", times(passages))]
     rows += [("touches the curve", times(touches))] if touches else []
     rows += [
         (f"{name} is on the line", f"polygon and curve {verb} there, not counted") for h, name, verb in ends if not h

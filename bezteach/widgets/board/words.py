@@ -7,7 +7,7 @@ import numpy as np
 
 from ... import numeric
 from ...display import number, point
-from .blocks import Block, exact_array, listed, name_of, root_of, times
+from .blocks import Block, exact_array, listed, name_of, power, root_of, times
 from .join_words import frames_said, local_said, natural_said, pieces_said
 from .shape_words import circle_said, hull_said, line_said
 
@@ -110,7 +110,7 @@ def _ratios(levels, t):
     """How the middle tangent of a parabola divides the other two, and its point of contact the middle one."""
     (b0, b1, b2), (left, right), _ = levels
     ratio = f"{t.numerator} : {t.denominator - t.numerator}"
-    divided = (("b_0^1", "b_0 b_1", b1 - b0), ("b_1^1", "b_1 b_2", b2 - b1), ("p(t)", "b_0^1 b_1^1", right - left))
+    divided = (("b₀¹", "b₀ b₁", b1 - b0), ("b₁¹", "b₁ b₂", b2 - b1), ("p(t)", "b₀¹ b₁¹", right - left))
     rows = tuple(
         (f"{by} divides {leg}", ratio if along.any() else "no ratio: the leg is one point")
         for by, leg, along in divided
@@ -144,10 +144,10 @@ def _halving(state):
     bend2 = max((bend @ bend for bend in np.diff(exact_array(state.points), 2, axis=0)), default=0)
     share = Fraction(n, 8 * pieces**2)
     rows = (
-        ("pieces", f"2^{state.depth} = {pieces}"),
+        ("pieces", f"2{power(state.depth)} = {pieces}"),
         ("control points, joints once", number(pieces * n + 1)),
         ("D, the longest second difference", root_of(bend2)),
-        (f"polygon to curve at most {n} D / (8 × 4^{state.depth})", root_of(share * share * bend2)),
+        (f"polygon to curve at most {n} D / (8 × 4{power(state.depth)})", root_of(share * share * bend2)),
     )
     return [Block(f"All pieces halved {times(state.depth)} (分割极限定理)", rows)]
 

@@ -7,10 +7,9 @@ import numpy as np
 from ... import numeric
 from ...display import number
 from ..board import svg
-from ..board.blocks import Block, html
+from ..board.blocks import Block, html, name_of
 from ..board.blocks import text as in_words
 from ..board.marks import STYLES, Mark, Style
-from ..board.scene import SUBSCRIPTS
 from .sliders import explorer, slider
 
 DEGREES = tuple(range(7))
@@ -30,7 +29,7 @@ def explore_basis(n=3, t=Fraction(1, 3)):
 def basis_view(n, t):
     """What the explorer shows for degree n at t: {"svg", "html", "text"}."""
     values = numeric.bernstein(n, t)
-    names = [f"B{str(i).translate(SUBSCRIPTS)}" for i in range(n + 1)]
+    names = [name_of(i, letter="B") for i in range(n + 1)]
     rows = tuple((name, number(value)) for name, value in zip(names, values, strict=True))
     said = [Block(f"Degree {n} at t = {number(t)}", (*rows, ("sum", number(values.sum()))))]
     text = in_words(said)

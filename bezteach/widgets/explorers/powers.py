@@ -15,7 +15,8 @@ def explore_powers(heights=(0, 1, 0, 1)):
     """Two boards side by side, for the graph of one polynomial on [0, 1].
 
     On the left its Bernstein coefficients, given as ``heights``, stand over 0, 1/n, ..., 1 and can be dragged; on the
-    right the coefficients of 1, t, ..., t^n. What moves on one moves on the other: ``.board`` and ``.powers``.
+    right the coefficients of 1, t, ..., t^n. What moves on one moves on the other: ``.board`` and ``.powers``. A view
+    grows with its points, and is the first one again when they are back at the start.
     """
     board = Board(
         graph(heights),
@@ -36,19 +37,25 @@ def explore_powers(heights=(0, 1, 0, 1)):
     def follow(change):
         if power_points(board.points) != powers.points:
             powers.points = power_points(board.points)
-            _grow(powers)
 
     def lead(change):
         if bernstein_points(powers.points) != board.points:
             board.points = bernstein_points(powers.points)
-            _grow(board)
         powers.refresh()
+
+    first = [(some, some.points, some.view) for some in (board, powers)]
+
+    def fit(change):
+        for some, points, view in first:
+            some.view = view if some.points == points else _grown(some)
 
     board.observe(follow, "state")
     powers.observe(lead, "state")
+    for some in (board, powers):
+        some.observe(fit, "state")
     titled = [
         widgets.VBox([widgets.HTML(f"<b>{title}</b>"), some], layout=widgets.Layout(flex="1 1 24em", min_width="0"))
-        for title, some in (("Bernstein coefficients", board), ("power coefficients", powers))
+        for title, some in (("Bernstein coefficients", board), ("Power coefficients", powers))
     ]
     panel = Panel(
         [widgets.HBox(titled, layout=widgets.Layout(flex_flow="row wrap"))],
@@ -91,8 +98,9 @@ def _view(*heights):
     return (-0.1, y0, 1.1, y1)
 
 
-def _grow(board):
-    """Make room for points that left the view."""
+def _grown(board):
+    """The view of a board, with room for points that left it."""
     low, high = board.view[1], board.view[3]
-    if any(not low <= y <= high for _, y in board.points):
-        board.view = list(_view([low, high, *(y for _, y in board.points)]))
+    if all(low <= y <= high for _, y in board.points):
+        return board.view
+    return list(_view([low, high, *(y for _, y in board.points)]))

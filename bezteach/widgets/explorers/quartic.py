@@ -18,8 +18,9 @@ STOPS = tuple(Fraction(k, 16) for k in range(-8, 17))
 def explore_quartic(w=Fraction(1, 4), goal=None):
     """The quartic with control points at the places 0, 1/4, ..., 1 and the heights 0, 1/4, w, 1/4, 0.
 
-    ``w``: a multiple of 1/16 from -1/2 to 1; its slider is ``.controls["w"]``, the board ``.board``, on which b_2 moves
-    up and down too. A ``goal`` is a task for the board's state. Source: deck, 1.2, note on the convexity theorem.
+    ``w``: a multiple of 1/16 from -1/2 to 1; its slider is ``.controls["w"]``, the board ``.board``. Slider and b₂ move
+    each other; a height from Python that is no stop of the slider leaves it where it is. A ``goal`` is a task for the
+    board's state. Source: deck, 1.2, note on the convexity theorem.
     """
     height = slider(w, "w, the height of b₂", STOPS)
     board = Board(
@@ -28,12 +29,23 @@ def explore_quartic(w=Fraction(1, 4), goal=None):
         offer=("polygon", "curve", "hull", "tangents"),
         grid=Fraction(1, 16),
         vertical=True,
-        view=(-0.1, -0.6, 1.1, 1.1),
+        view=(-0.1, -0.55, 1.1, 1.05),  # on its grid, b₂ stays among the slider's stops
         goal=goal,
         marks=lambda state: [AXIS],
         blocks=lambda state: quartic_blocks(state.points),
     )
-    height.observe(lambda change: board.change(points=quartic(change.new)), "value")
+
+    def lead(change):
+        points = list(board.points)
+        points[2] = (points[2][0], change.new)
+        board.change(points=points)
+
+    def follow(change):
+        if board.points[2][1] in STOPS:
+            height.value = board.points[2][1]
+
+    height.observe(lead, "value")
+    board.observe(follow, "state")
     return beside(board, {"w": height})
 
 
