@@ -43,6 +43,13 @@ def test_a_preset_is_a_board_whose_layers_can_be_switched(explore, points):
     assert board.text and "nan" not in board.svg
 
 
+def test_the_place_to_pull_to_is_a_square_with_its_name():
+    board = widgets.explore_pull(ARCH, (F(9, 4), 1), t=F(1, 3))
+    square, name = (one for one in board.marks if one.kind in ("squares", "below"))
+    assert square.points == name.points == ((2.25, 1.0),) and name.words == ("(9/4, 1)",)
+    assert board.layers == board.state.show == ("polygon", "curve", "point") and board.state.t == F(1, 3)
+
+
 ENDS = [
     *[(explore, {"t": t}) for explore in (PRESETS[0], PRESETS[5], PRESETS[7], PRESETS[8]) for t in (0, 1)],
     *[(widgets.explore_casteljau, {"level": level}) for level in (0, None)],

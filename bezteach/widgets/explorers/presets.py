@@ -2,9 +2,12 @@
 
 from fractions import Fraction
 
+from ...display import point
 from ..board import Board
+from ..board.marks import Mark, Style, rows
 
 ALWAYS = ("polygon", "curve")
+TARGET = Style("second", 2.4, fill="paper", radius=6)
 
 
 def explore_casteljau(points, t=Fraction(1, 3), **settings):
@@ -53,3 +56,11 @@ def explore_halving(points, depth=1, **settings):
 def explore_crossings(points, line=None, **settings):
     """A line to drag through polygon and curve: it passes through the curve at most as often as through the polygon."""
     return Board(points, show=(*ALWAYS, "line"), offer=(*ALWAYS, "line", "hull"), line=line, **settings)
+
+
+def explore_pull(points, place, t=Fraction(1, 2), **settings):
+    """The point of the curve at t, and a square at a place to which control points are to pull it."""
+    target = rows([place])
+    marks = [Mark("squares", target, TARGET), Mark("below", target, TARGET, (point(place),))]
+    layers = (*ALWAYS, "point")
+    return Board(points, t, layers, offer=layers, marks=lambda state: marks, **settings)
