@@ -61,6 +61,6 @@ def explore_crossings(points, line=None, **settings):
 def explore_pull(points, place, t=Fraction(1, 2), **settings):
     """The point of the curve at t, and a square at a place to which control points are to pull it."""
     target = rows([place])
-    marks = [Mark("squares", target, TARGET), Mark("below", target, TARGET, (point(place),))]
+    marks = [Mark("squares", target, TARGET), Mark("names", target, TARGET, (point(place),))]
     layers = (*ALWAYS, "point")
     return Board(points, t, layers, offer=layers, marks=lambda state: marks, **settings)
