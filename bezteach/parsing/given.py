@@ -19,14 +19,14 @@ def ranges(tokens, integers=frozenset()):
     grammar.end()
     limits = {}
     for chain in chains if isinstance(chains, tuple) else [chains]:
-        for letter, sign, limit in _limits_in(chain):
+        for letter, sign, limit in _limits_in(chain, commas):
             _narrow(limits.setdefault(letter, {}), letter, sign, limit)
     result = {letter: _range(letter, **found) for letter, found in limits.items()}
     _refuse_circles(result)
     return result
 
 
-def _limits_in(chain):
+def _limits_in(chain, tokens):
     """Letter, sign and limit of each inequality of a chain, the letter on the left of the sign."""
     items = [item for _, item in chain]
     signs = [sign for sign, _ in chain[1:]]
@@ -42,8 +42,10 @@ def _limits_in(chain):
     if len(signs) > 2:
         raise InvalidAnswer("too many signs: write the ranges apart, 0 <= i <= j, j <= n", signs[2].position)
     low, middle, high = items
-    if middle.value not in _LETTERS:
-        raise InvalidAnswer("in the middle stands one letter: write 0 <= i <= n", middle.position)
+    alone = any(token.position == middle.position and token.kind == "name" for token in tokens)
+    if not (alone and middle.value in _LETTERS):  # n >= 1 i >= 2 would be read as n >= 1*i >= 2
+        message = "in the middle stands one letter: write 0 <= i <= n, and a comma between two ranges"
+        raise InvalidAnswer(message, middle.position)
     if len({sign.text[0] for sign in signs}) == 2 or "=" in [sign.text for sign in signs]:
         raise InvalidAnswer("the two signs point in different directions: write 0 <= i <= n", signs[1].position)
     return [(middle.value, _TURNED[signs[0].text], low), (middle.value, signs[1].text, high)]

@@ -135,8 +135,10 @@ class Grammar(Reader):
         return negative(value, sign.position) if sign.text == "-" else value
 
     def _power(self):
-        start = self.token
+        start, before = self.token, self.tokens[self.index - 1]
         base = self.atom()
+        if start.text == "{" and before.text == "^" and self.sees("!", "^"):
+            raise self.wrong("does this belong to the exponent? Write (2^3)! or 2^(3!), and (2^3)^2 or 2^(3^2)")
         if self.sees("!"):
             base = self._factorial(base, start)
         if not self.sees("^"):

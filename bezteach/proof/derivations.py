@@ -11,7 +11,6 @@ from .budget import Budget
 from .chains import chain_verdicts, form
 from .errors import InvalidStatement
 from .exact.evaluate import evaluator, expression
-from .indices import with_true_indices
 from .judgement import (
     CHECKED_ONLY,
     FOLLOWS,
@@ -27,7 +26,7 @@ from .judgement import (
     Line,
 )
 from .ranges import about, ranges
-from .statement import check_binders, check_kinds
+from .statement import check_kinds, with_checked_binders
 from .verdict import (
     ARGUED,
     CHECKED,
@@ -81,9 +80,7 @@ def _understood(lines, given):
             faults[number] = str(error)
     chain = list(accepted.values())
     found = ranges(chain, about(chain, given) if faults or len(chain) < 2 else given)
-    for line in chain:
-        check_binders(line, found)
-    return {number: with_true_indices(line) for number, line in accepted.items()}, faults, found
+    return {number: with_checked_binders(line, found) for number, line in accepted.items()}, faults, found
 
 
 def _check_line(line, others):
@@ -93,7 +90,7 @@ def _check_line(line, others):
         found = ranges(chain, None)
         evaluator(chain[-1], tuple(found))
         for each in chain:
-            check_binders(each, found)
+            with_checked_binders(each, found)
     except RecursionError:
         raise InvalidStatement("the expression is nested too deeply") from None
     for other in others:

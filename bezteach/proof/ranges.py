@@ -6,9 +6,10 @@ sum, an order of differentiation, the argument of a binomial or factorial, or an
 real.
 """
 
+import re
 from typing import NamedTuple
 
-from sympy import Expr, Indexed, Interval, S, Symbol, ceiling, floor, oo
+from sympy import Expr, Indexed, Interval, S, Symbol, ceiling, floor, nan, oo, zoo
 
 from bezteach.symbolic import E
 
@@ -16,6 +17,7 @@ from .errors import InvalidStatement
 from .exact.evaluate import evaluator, expression
 from .uses import uses
 
+NO_NAME = r"[\s+\-*/^()=<>]"  # SymPy tells some expressions apart by what they print
 TELLING = ("even", "odd", "prime", "composite", "zero", "irrational", "rational", "nonzero")
 SIGNS = ("positive", "negative", "nonnegative", "nonpositive")
 
@@ -79,7 +81,8 @@ def _range(symbol, wanted):
         wanted = Integers(*map(expression, wanted))
     if isinstance(wanted, Interval | Integers):
         for end in ends(wanted):
-            if end.has(E, Indexed) or (end.is_number and not end.is_extended_real):
+            infinite = end.has(oo, -oo, zoo, nan) and end not in (oo, -oo)
+            if infinite or end.has(E, Indexed) or (end.is_number and not end.is_extended_real):
                 raise InvalidStatement(f"the range of {symbol} ends at {end}, which is no real number")
         return wanted
     empty = wanted is S.EmptySet
@@ -91,6 +94,8 @@ def _check_names(symbols):
     for symbol in symbols:
         if names.setdefault(symbol.name, symbol) != symbol:
             raise InvalidStatement(f"two different symbols are called {symbol.name}: their assumptions differ")
+        if re.search(NO_NAME, symbol.name):
+            raise InvalidStatement(f"a symbol is called {symbol.name!r}, which is no name but a formula")
         if symbol.name == E.name:
             raise InvalidStatement("a symbol is called E: that is the operator, bezteach.symbolic.E")
         if strange := _unread(symbol):

@@ -8,7 +8,7 @@ from bezteach.symbolic import E, latex
 
 from .errors import InvalidStatement
 from .exact.evaluate import evaluator, expression
-from .indices import with_true_indices
+from .indices import stays, with_true_indices
 from .ranges import SIGNS, ranges
 
 RELATIONS = {sp.Eq: "=", sp.Ge: ">=", sp.Gt: ">", sp.Le: "<=", sp.Lt: "<"}
@@ -49,9 +49,9 @@ def statement(lhs, rhs=None, given=None):
     found = ranges([left, right], given)
     for side in (left, right):
         evaluator(side, tuple(found))
-        check_binders(side, found)
+    sides = [with_checked_binders(side, found) for side in (left, right)]
     check_kinds(left, relation, right)
-    return Statement(with_true_indices(left), relation, with_true_indices(right), found)
+    return Statement(sides[0], relation, sides[1], found)
 
 
 def _parts(lhs, rhs):
@@ -64,7 +64,24 @@ def _parts(lhs, rhs):
     return expression(lhs.lhs), RELATIONS[type(lhs)], expression(lhs.rhs)
 
 
-def check_binders(side, found):
+def with_checked_binders(side, found):
+    """The expression with true indices, where no variable leaves what is assumed of it."""
+    limits = [limit for node in side.atoms(sp.Sum, sp.Product) for limit in node.limits]
+    if not all(stays(*limit) for limit in limits):
+        _check_points(side, [index for index, *_ in limits])
+    true = with_true_indices(side)
+    _check_binders(true, found)
+    return true
+
+
+def _check_points(side, indices):
+    """SymPy tells the points of Subs apart by their names alone: there an index cannot become another symbol."""
+    for node in side.atoms(sp.Subs):
+        if any(point.has(*indices) for point in node.point):
+            raise InvalidStatement(f"in {node} stands an index that may go beyond what is assumed of it")
+
+
+def _check_binders(side, found):
     for node in sp.preorder_traversal(side):
         if isinstance(node, sp.Derivative):
             for symbol, _ in node.variable_count:

@@ -206,6 +206,28 @@ def test_sympy_has_gone_by_what_is_assumed_of_a_variable(left, right):
 
 
 @pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        # SymPy tells Subs(..., k) with one k from that with another only by the name.
+        (Sum(Subs(t**2 * u, t, k), (k, -1, 1), (k, 0, 2)), 15 * u),
+        (Sum((k + 1) * Sum(Subs(t**2 * u, t, k), (k, -1, 1)), (k, 0, 2)), 42 * u),
+        (k + Sum(Subs(t**2 * u, t, k), (k, -1, 1)), k + 3 * k**2 * u),
+        # The index goes below 0, and with it the variable of the integral.
+        (Sum(Integral(Abs(NOT_NEGATIVE), (NOT_NEGATIVE, k, 1)), (k, -1, 0)), S.Half),
+        (Sum(k * Integral(Abs(NOT_NEGATIVE) * u, (NOT_NEGATIVE, 0, k)), (k, -1, 0)), -u / 2),
+        (Product(Subs(Abs(NOT_NEGATIVE) + t, NOT_NEGATIVE, 2 * k), (k, -2, -2)), t - 4),
+    ],
+)
+def test_an_index_takes_no_variable_with_it_beyond_what_is_assumed(left, right):
+    assert prove(left, right).status == check_derivation([left, right]).status == "INVALID"
+
+
+def test_an_index_that_stays_may_stand_in_what_is_put_in():
+    assert prove(Sum(Subs(t**2 * u, t, k), (k, 0, 2)), 5 * u).status == "PROVED"
+    assert prove(Sum(Integral(NOT_NEGATIVE, (NOT_NEGATIVE, k, 1)), (k, 0, 1)), S.Half).status == "PROVED"
+
+
+@pytest.mark.parametrize(
     ("symbol", "values"),
     [
         (Symbol("p", positive=True), Interval(n, n + 1)),

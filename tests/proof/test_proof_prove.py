@@ -233,6 +233,10 @@ def test_the_budget_is_kept(claim):
             "i<=20, j<=20-i, k<=i-j+5, l<=j-i+k+5, m<=i-j-k+l+9, n<=j+k-i-l+m+9, p<=i+k-j-l+m-n+9, q<=j+l-i-k+n-m+p+9",
             (PROVED,),
         ),
+        # Multiplied out these have 1771 and 92378 terms.
+        ("sum((k+i+j)^20 C(n,k),k,0,n) = sum((n-k+i+j)^20 C(n,n-k),k,0,n)", "", (PROVED, CHECKED, UNDECIDED)),
+        ("(i+j+k+l+m+n+p+q+r+10)! >= (i+j+k+l+m+n+p+q+r)! (i+j+k+l+m+n+p+q)", "", (PROVED, UNDECIDED)),
+        ("diff(t^200 (1-t)^200, t, 200) = diff((1-t)^200 t^200, t, 200)", "", (PROVED, CHECKED, UNDECIDED)),
         ("i*j+k*l+m*n+p*q+r^2 >= 0", ", ".join(f"{letter}<=20" for letter in "ijklmnpqr"), (PROVED, UNDECIDED)),
     ],
 )

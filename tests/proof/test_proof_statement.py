@@ -137,6 +137,8 @@ def test_neither_the_operator_nor_the_name_of_the_points_nor_a_bound_index_is_a_
         ((B(i, n, t), B(plain_i, n, t)), None, "two different symbols are called i"),
         ((Sum(b[plain_i], (i, 0, 2)), 0), None, "two different symbols are called i"),
         ((Symbol("E", real=True), 0), None, "a symbol is called E"),
+        ((Symbol("u + 1", real=True), 0), None, r"a symbol is called 'u \+ 1', which is no name"),
+        ((b[n], 0), {n: (0, Add(oo, -oo, evaluate=False))}, "which is no real number"),
         ((t, t), {u: (0, 1)}, "given for u, which does not occur"),
         ((Sum(B(i, n, t), (i, 0, n)), 1), {i: (0, n)}, "given for i, which does not occur, except as the variable"),
         ((b[n], 0), {plain_n: (0, 1)}, "two different symbols are called n"),

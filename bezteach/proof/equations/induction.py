@@ -14,6 +14,7 @@ from ..statement import Statement
 from ..terms.defined import check_defined
 from ..terms.differences import difference
 from ..terms.linear import is_whole_form
+from ..terms.size import MOST_TERMS, most_terms
 from ..terms.terms import Failure
 from ..verdict import PROVED, Proof
 from .algebra import by_algebra
@@ -69,12 +70,14 @@ def _along(symbol, upward, statement, budget):
 
 def first_and_step(statement, symbol, upward):
     """The statement at one end of the range of a symbol, and that both sides gain the same by a step; None if that end
-    is no whole number, or if the range of another symbol depends on this one.
+    is no whole number, if the range of another symbol depends on this one, or if there are too many terms.
     """
     low, high = statement.ranges[symbol]
     start = low if upward else high
     others = {s: values for s, values in statement.ranges.items() if s != symbol}
     if not is_whole_form(start) or any(symbol in end.free_symbols for r in others.values() for end in ends(r)):
+        return None
+    if max(map(most_terms, (statement.lhs, statement.rhs))) > MOST_TERMS:
         return None
     sides = [with_fresh_indices(expand(side)) for side in (statement.lhs, statement.rhs)]
     ranges = {**others, symbol: Integers(low, high - 1)}
