@@ -10,7 +10,9 @@ import pytest
 from sympy import QQ, IndexedBase, Mul, Rational, expand, symbols, sympify
 
 from bezteach import numeric, symbolic
+from bezteach.numeric import bspline as arrays
 from bezteach.symbolic import B, b, t
+from bezteach.symbolic import bspline as derived
 
 start, end = symbols("start end", real=True)
 x, y, z = map(IndexedBase, "xyz")
@@ -107,6 +109,80 @@ def expanded(answer):
 def test_numeric_on_symbols_is_the_symbolic_formula(name, n):
     numeric_answer, symbolic_answer = MIRROR[name]
     assert expanded(numeric_answer(n)) == expanded(symbolic_answer(n))
+
+
+# knots of degree p: simple, then multiple ones; the span is the number beside them
+SPANS = {
+    "simple": (lambda p: [Rational(j * j + j, 3) for j in range(2 * p + 3)], lambda p: p + 1),
+    "multiple": (lambda p: [0] * p + [2] + [5] * p + [9] * (p + 1), lambda p: 2 * p),
+    "clamped": (lambda p: [0] * (p + 1) + [1] * (p + 1), lambda p: p),
+}
+u = symbols("u1:5", real=True)
+
+
+def piece_sum(p, knots, k):
+    """The polynomial of span k: the symbols b[i] weighted by the derived pieces."""
+    return sum(derived.piece(i, p, knots, t, k) * b[i] for i in range(k - p, k + 1))
+
+
+def with_knot(p, knots, k, at):
+    """The control points after one knot more in span k, each the blossom of that span at its new knots."""
+    longer = [*knots[: k + 1], at, *knots[k + 1 :]]
+    count = len(knots) - p - 1
+    new = [derived.blossom(p, knots, k, longer[i + 1 : i + p + 1]) for i in range(k - p + 1, k + 1)]
+    return [b[i] for i in range(k - p + 1)] + new + [b[i] for i in range(k, count)]
+
+
+def bezier_points(p, knots):
+    """The blossom of each span at its two ends."""
+    count = len(knots) - p - 1
+    spans = [k for k in range(p, count) if knots[k] != knots[k + 1]]
+    ends = [[knots[k]] * (p - j) + [knots[k + 1]] * j for k in spans for j in range(p + 1)]
+    return [derived.blossom(p, knots, k, ends.pop(0)) for k in spans for _ in range(p + 1)]
+
+
+# the same table for B-splines: both for degree p, the knots and one of their spans
+SPLINES = {
+    "basis": (
+        lambda p, knots, k: arrays.basis(knots, p, t, k),
+        lambda p, knots, k: [derived.piece(i, p, knots, t, k) for i in range(len(knots) - p - 1)],
+    ),
+    "evaluate": (
+        lambda p, knots, k: arrays.evaluate(row(b, len(knots) - p - 2), knots, t, k),
+        piece_sum,
+    ),
+    "derivative": (
+        lambda p, knots, k: arrays.derivative(row(b, len(knots) - p - 2), knots, t, 1, k),
+        lambda p, knots, k: sum(derived.derivative_piece(i, p, knots, t, k) * b[i] for i in range(k - p, k + 1)),
+    ),
+    "de_boor": (
+        lambda p, knots, k: arrays.de_boor(row(b, len(knots) - p - 2), knots, t, k)[-1],
+        lambda p, knots, k: derived.blossom(p, knots, k, [t] * p),
+    ),
+    "blossom": (
+        lambda p, knots, k: arrays.blossom(row(b, len(knots) - p - 2), knots, k, *u[:p]),
+        lambda p, knots, k: derived.polar(expand(piece_sum(p, knots, k)), p, t, u[:p]),
+    ),
+    "insert": (
+        lambda p, knots, k: arrays.insert(row(b, len(knots) - p - 2), knots, (knots[k] + knots[k + 1]) / Rational(2))[
+            0
+        ],
+        lambda p, knots, k: with_knot(p, knots, k, (knots[k] + knots[k + 1]) / Rational(2)),
+    ),
+    "to_bezier": (
+        lambda p, knots, k: arrays.to_bezier(row(b, len(knots) - p - 2), knots)[0],
+        lambda p, knots, k: bezier_points(p, knots),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SPLINES)
+@pytest.mark.parametrize("kind", SPANS)
+@pytest.mark.parametrize("p", range(1, 5))
+def test_numeric_b_splines_on_symbols_are_the_symbolic_formula(name, kind, p):
+    knots, span = (made(p) for made in SPANS[kind])
+    numeric_answer, symbolic_answer = SPLINES[name]
+    assert expanded(numeric_answer(p, knots, span)) == expanded(symbolic_answer(p, knots, span))
 
 
 @pytest.mark.parametrize("n", range(7))

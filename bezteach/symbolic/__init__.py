@@ -2,8 +2,10 @@
 
 The letters i, j, k, n, r (non-negative integers), t, u (real), the shift operator E and the control points b are ready
 to import. A derived function returns its result; ``segment.steps(n, j, 0, t)`` gives the lines that lead to it.
+B-splines, with symbolic knots, are in ``bspline``.
 """
 
+from . import bspline as bspline
 from .basis import B
 from .curve import curve, de_casteljau, elevate, segment
 from .derivation import Derivation, Step
