@@ -111,7 +111,7 @@ def vanishing_with_too_many():
 CLAIMS = [
     argued(
         "bspline/definition",
-        "the recursion gives piecewise polynomials of degree p: on each span that is not empty one polynomial",
+        "the recursion gives piecewise polynomials: on each span that is not empty one of degree p at most",
         "N_{i,0} is 1 for t_i <= t < t_{i+1} and 0 elsewhere: a constant on each span, and 0 if t_i = t_{i+1}.",
         "N_{i,p}(t) = (t - t_i)/(t_{i+p} - t_i) N_{i,p-1}(t) + (t_{i+p+1} - t)/(t_{i+p+1} - t_{i+1}) N_{i+1,p-1}(t). A "
         "factor whose denominator is 0 stands before a function that is 0 everywhere, and the product counts as 0.",
@@ -135,8 +135,9 @@ CLAIMS = [
         "For p = 0 it is the definition. On span k with i <= k <= i + p: t - t_i >= 0 and t_{i+p+1} - t >= 0, and the "
         "denominators are positive where they are not left out. So, by induction on p, N_{i,p} is a sum of products "
         "that are not negative.",
-        "Strictly within the span both factors are positive, and at least one of the two lower functions has the span "
-        "in its support, so the sum is positive there.",
+        "For t_i < t < t_{i+p+1} both factors are positive, and so is one of the lower functions, by induction: the "
+        "first if t < t_{i+p}, the second if t > t_{i+1}. Else t_{i+1} = ... = t_{i+p} = t, and the second, which "
+        "begins with p knots at t, is 1 there: each step leaves it the factor (t_{i+p+1} - t)/(t_{i+p+1} - t) = 1.",
         Known("Outside of the support it is 0.", "bspline/support"),
         Computed(
             "Instances: p = 0, ..., 4, knots of all multiplicities, a point in each span: every term is positive.",

@@ -140,14 +140,16 @@ CLAIMS = [
     ),
     argued(
         "bspline/variation-diminishing",
-        "a line meets a plane B-spline curve, and a plane a space curve, at most as often as the polygon passes it",
+        "a plane B-spline curve crosses a line, a space curve a plane, at most as often as its polygon does",
         "Take an affine function l that is 0 on it, and let V be the number of sign changes of the l(b_i).",
         Known("Knots may be inserted until the curve is Bézier curves, one polygon in all.", "bspline/to-bezier"),
         Known("Each insertion puts points of edges, in order, in the place of control points:", "bspline/insert"),
         "a broken line whose vertices lie one after the other on the old one has no more sign changes than the old "
         "one. So V does not grow.",
         Known("Each Bézier curve meets the line at most as often as its own polygon.", "curve/variation-diminishing"),
-        "Passages are counted as for Bézier curves; the sign changes of the parts add up to V at most. For a knot that "
-        "stands p + 1 times the curve is two.",
+        "Crossings are changes of the sign of l; where it only touches, the curve does not cross. Near an end of a "
+        "part l has the sign of the nearest value that is not 0. So also where two parts meet in the line the curve "
+        "changes sign only if the row of all values does: no more than V times in all. At a knot that stands p + 1 "
+        "times the curve jumps, and the jump is counted as a crossing if l changes its sign there.",
     ),
 ]

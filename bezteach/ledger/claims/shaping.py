@@ -52,7 +52,7 @@ def multiple_knots_do_not_straighten():
 CLAIMS = [
     argued(
         "bspline/knots-matter",
-        "moving a knot, with the control points kept, changes the curve, also as a set of points",
+        "moving a knot, with the control points kept, changes the curve in general, as a set of points too",
         "A quadratic with simple inner knots touches each inner edge of its polygon at a knot.",
         Computed(
             "With (0, 0), (0, 2), (2, 2), (2, 0) and the knots 0, 0, 0, s, 2, 2, 2 it touches y = 2 at (s, 2).",

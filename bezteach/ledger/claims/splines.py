@@ -71,10 +71,11 @@ CLAIMS = [
     ),
     argued(
         "bspline/local",
-        "moving b_i by v moves the curve by N_{i,p}(t) v: only within the support, and by less than all of v",
+        "moving b_i by v moves the curve by N_{i,p}(t) v: only within the support, and by no more than v",
         "The curve is linear in b_i, and N_{i,p}(t) is its factor.",
         Known("It is 0 outside of the support,", "bspline/support"),
-        Known("and positive inside.", "bspline/non-negative"),
+        Known("positive inside,", "bspline/non-negative"),
+        Known("and at most 1, as all of them add up to one; it may be 1 at a knot.", "bspline/unity"),
         Known("With the end of the domain closed, t_{n+1} belongs to the last span.", "bspline/domain"),
         "With n = p the domain is one span, with p + 1 control points in all: each of them moves all of the curve.",
     ),

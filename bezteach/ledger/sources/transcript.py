@@ -1,9 +1,11 @@
-"""The transcript of lecture 5, what it says of Bézier curves, their joins and the one-sixth rule."""
+"""The transcript of lecture 5: Bézier curves, their joins, the one-sixth rule; B-splines from the files beside it."""
 
 from ..claims.interpolation import touched
 from ..claims.joins import PARABOLA_IN_TWO, TURNING_BACK, curvatures_agree, tangents_oppose, velocities_agree
 from ..reading import amended, refuted_words, row
 from .deck_curve import places_for_passages
+from .transcript_knots import CLOSING, KNOTS, SUMMARY
+from .transcript_splines import CURVE, DEFINITION, LOCAL
 
 ORDER = "order for degree: the lecture itself says later that the order is the degree plus 1"
 
@@ -160,6 +162,7 @@ ROWS = [
             "with the distance of the parameter t from i/n, on either side: it is no distance in the plane",
         ),
     ),
+    *LOCAL,
     row(
         "B-splines, why the influence is global",
         "basis/positive-inside",
@@ -168,6 +171,9 @@ ROWS = [
             "too weak, B-spline functions are not either: the Bernstein functions are 0 at no t between 0 and 1",
         ),
     ),
+    *DEFINITION,
+    *CURVE,
+    *KNOTS,
     row("summary, weighted averages", "curve/barycentric"),
     row(
         "summary, smooth curves",
@@ -179,10 +185,12 @@ ROWS = [
     row("summary, convex hull", "curve/hull"),
     row("summary, the algorithm evaluates", "casteljau/curve"),
     row("summary, the algorithm cuts", "algorithm/parts"),
+    *SUMMARY,
     row("summary, basis functions combine control points", "curve/definition"),
     row(
         "summary, smooth curves again",
         "points/cusp",
         smooth("basis functions and control points make the smooth curve that is wanted"),
     ),
+    *CLOSING,
 ]
