@@ -99,7 +99,8 @@ CLAIMS = [
         "So the curve is the same sum with degree p - 1 and the points of level 1, and so on, down to N_{k,0} = 1 and "
         "the point of level p: this holds for every p.",
         Known("These steps are those of f, with all arguments t.", "blossom/spline"),
-        Computed("With letters as knots the steps give the pieces, for p = 0, ..., 4.", de_boor_is_the_sum),
+        Known("For degree 2 both written out, all simple knots:", "bspline/de-boor/quadratic"),
+        Computed("with letters as knots the steps give the pieces, for p = 0, ..., 4.", de_boor_is_the_sum),
         "Within the span each step is a convex combination, as t lies between both knots; it needs "
         "p + ... + 2 + 1 of them.",
     ),
@@ -115,6 +116,7 @@ CLAIMS = [
         "f is affine in each argument, and (1 - w) u + w v as p arguments, expanded, is the sum over j of B_{j,p}(w) "
         "times f with j arguments v and p - j arguments u: the curve over [u, v] with these control points.",
         Known("In the operator they are g(u)^(p-j) g(v)^j b_0.", "segment/points"),
-        Computed("For p = 0, ..., 4 and letters u, v.", segments_are_values),
+        Known("For degree 2 with all knots written out:", "blossom/segment/quadratic"),
+        Computed("for p = 0, ..., 4 and letters u, v.", segments_are_values),
     ),
 ]

@@ -112,7 +112,8 @@ CLAIMS = [
         Known("All steps are steps of de Casteljau's algorithm, for every p,", "blossom/casteljau"),
         Known("and those with t leave the point of the curve.", "bspline/de-boor"),
         Known("Those of de Casteljau's algorithm leave the sum of the B_{j,p}(t) b_j.", "casteljau/curve"),
-        Computed("By the recursion, p = 0, ..., 4.", bernstein_basis),
+        Known("For degree 2 written out:", "bspline/bezier/quadratic"),
+        Computed("by the recursion, p = 0, ..., 4.", bernstein_basis),
         Known("At t = 1 the values are limits from the left.", "bspline/domain"),
     ),
     argued(
@@ -128,6 +129,8 @@ CLAIMS = [
         ),
         Known("The new steps begin with values of f, and f is affine: they leave f.", "blossom/spline"),
         Known("With all arguments t that is the curve.", "bspline/de-boor"),
+        Known("For degree 2 written out, before the new knot,", "bspline/insert/quadratic"),
+        Known("and after it.", "bspline/insert/quadratic/after"),
         Computed("N_{i,p} from the two new functions, with letters as knots, for p = 0, ..., 4.", old_from_new),
     ),
     argued(

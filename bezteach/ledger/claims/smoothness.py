@@ -99,7 +99,8 @@ CLAIMS = [
         "them, and have the same p - m + 1 values at the runs that are left, of t_{j+m-p+1}, ..., t_j and "
         "t_{j+m+1}, ..., t_{j+p}. Steps with these knots, the same for both, lead from these values to all others; "
         "nothing is divided by 0, as the first p - m are below the others.",
-        Computed("With letters as knots, for p = 1, ..., 3 and m = 1, ..., p.", neighbours_agree),
+        Known("For degree 2 and a simple knot written out:", "blossom/agree/quadratic"),
+        Computed("with letters as knots, for p = 1, ..., 3 and m = 1, ..., p.", neighbours_agree),
     ),
     argued(
         "bspline/smooth",
