@@ -88,6 +88,6 @@ def factored(expr):
 
 def check_size(expr, largest=LARGEST):
     """``Failure`` where the degree of a rational function times the number of its symbols is too large."""
-    highest, symbols = degree(expr) or 0, len(expr.free_symbols)
-    if highest * symbols > largest or (symbols > 1 and comb(highest + symbols, symbols) > MOST):
+    symbols = len(expr.free_symbols)
+    if (degree(expr) or 0) * symbols > largest or (symbols > 1 and most_terms(expr) > MOST):
         raise Failure("what would have to be multiplied out is too large")
