@@ -5,7 +5,6 @@ increase as the letters stand, as no denominator is 0 then.
 """
 
 from functools import cache
-from math import comb
 
 from sympy import QQ, field
 
@@ -53,15 +52,15 @@ def indices(p, knots):
     return range(len(knots) - p - 1)
 
 
-def multiplicities(total):
+def all_multiplicities(total):
     """All ways to have this many knots, as multiplicities.
 
-    >>> list(multiplicities(3))
+    >>> list(all_multiplicities(3))
     [(1, 1, 1), (1, 2), (2, 1), (3,)]
     """
     if total == 0:
         return [()]
-    return [(first, *rest) for first in range(1, total + 1) for rest in multiplicities(total - first)]
+    return [(first, *rest) for first in range(1, total + 1) for rest in all_multiplicities(total - first)]
 
 
 def blossom(level, knots, span, arguments):
@@ -132,8 +131,3 @@ def jump_orders(p, times):
     knots, t = letters(*[1] * (p + 1), times, *[1] * (p + 1), zero=p + 1)
     jumps = (piece(i, p, knots, t, p + times) - piece(i, p, knots, t, p) for i in indices(p, knots))
     return [found for jump in jumps if (found := order(jump, t)) is not None]
-
-
-def bernstein(j, n, t):
-    """B_{j,n}(t) for t in any arithmetic."""
-    return comb(n, j) * t**j * (1 - t) ** (n - j)

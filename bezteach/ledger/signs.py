@@ -12,7 +12,7 @@ from sympy.abc import t
 
 
 def bernstein(j, n, at):
-    """B_{j,n} at a number, or at the polynomial t.
+    """B_{j,n} at a number, a polynomial or a quotient of them, in its arithmetic.
 
     >>> bernstein(1, 3, 2)
     6

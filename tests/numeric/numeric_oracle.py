@@ -61,3 +61,23 @@ def few_fractions(low, high, denominator):
     """A strategy for the fractions from low to high with at most this denominator; drawn from a list, for speed."""
     quotients = {Fraction(a, b) for b in range(1, denominator + 1) for a in range(ceil(low * b), floor(high * b) + 1)}
     return st.sampled_from(sorted(quotients, key=lambda x: (x.denominator, abs(x), x < 0)))
+
+
+def dot(u, v):
+    return sum(x * y for x, y in zip(u, v, strict=True))
+
+
+SMALL = few_fractions(-4, 4, 3)
+
+
+def vectors(d):
+    return st.lists(SMALL, min_size=d, max_size=d)
+
+
+def curves(d, least=1, most=6):
+    return st.lists(vectors(d), min_size=least, max_size=most)
+
+
+def some_data(least=2, most=9):
+    """Rows of one to three coordinates."""
+    return st.integers(1, 3).flatmap(lambda d: curves(d, least, most))

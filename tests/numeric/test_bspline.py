@@ -1,19 +1,18 @@
-"""B-splines on exact numbers against the Cox-de Boor recursion, written out here, and against SymPy's own."""
+"""B-splines on exact numbers: the cases of the transcript by hand, and the laws against the recursion."""
 
 from fractions import Fraction as F
-from itertools import pairwise, permutations, product
+from itertools import pairwise, permutations
 from math import comb
 
 import numpy as np
 import pytest
-import sympy
+from bspline_oracle import JUMP, KNOTS, POINTS, exact, places, slope, splines, value, weights
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numeric_oracle import few_fractions
 
 from bezteach import numeric
 from bezteach.examples import EXAMPLES
-from bezteach.numeric import bspline
 from bezteach.numeric.bspline import (
     averages,
     basis,
@@ -30,80 +29,6 @@ from bezteach.numeric.bspline import (
 )
 
 law = settings(deadline=None, max_examples=25, database=None)
-KNOTS = [0, 0, 0, 1, 2, 3, 4, 4, 4]  # the transcript's, for six points of degree 2
-POINTS = [0, 2, 4, 0, 4, 2]
-JUMP = ([0, 0, 1, 1, 3, 4], [0, 2, 5, 7])  # knots and points of degree 1; 1 stands p+1 times
-x = sympy.Symbol("x")
-
-
-# The definition, with 0/0 := 0
-
-
-def weights(knots, p, t, left=False):
-    """N_{0,p}(t), N_{1,p}(t), ... as limits from the right or from the left."""
-    row = [int(a < t <= b if left else a <= t < b) for a, b in pairwise(knots)]
-    for q in range(1, p + 1):
-        up = [share(t - knots[i], knots[i + q] - knots[i]) * n for i, n in enumerate(row)]
-        down = [share(knots[i + q] - t, knots[i + q] - knots[i]) * n for i, n in enumerate(row)]
-        row = [a + b for a, b in zip(up, down[1:], strict=False)]
-    return row
-
-
-def share(part, whole):
-    return F(part) / whole if whole else 0
-
-
-def value(points, knots, t, left=None):
-    p, end = len(knots) - len(points) - 1, knots[len(points)]
-    left = t == end if left is None else left
-    return sum(n * b for n, b in zip(weights(knots, p, t, left), points, strict=True) if n)
-
-
-def slope(points, knots, t, r):
-    """The r-th derivative from p+1 values on the piece at t: D = log(1 + Δ) / h, exact on polynomials of degree p."""
-    p, end = len(knots) - len(points) - 1, knots[len(points)]
-    onward = [k - t for k in knots if (k < t if t == end else k > t)]
-    h = F(max(onward) if t == end else min(onward)) / (p + 1)
-    row = [value(points, knots, t + j * h, t == end) for j in range(p + 1)]
-    differences = []
-    while row:
-        differences.append(row[0])
-        row = [b - a for a, b in pairwise(row)]
-    logarithm = [F(0)] + [F((-1) ** (k + 1), k) / h for k in range(1, p + 1)]
-    power = [F(1)] + [F(0)] * p
-    for _ in range(r):
-        power = [sum(power[i] * logarithm[k - i] for i in range(k + 1)) for k in range(p + 1)]
-    return sum(c * d for c, d in zip(power, differences, strict=True))
-
-
-def places(knots, count):
-    """Every knot in the domain, and two places in each of its spans."""
-    p = len(knots) - count - 1
-    inner = sorted(set(knots[p : count + 1]))
-    return inner + [a + (b - a) * w for a, b in pairwise(inner) for w in (F(1, 3), F(4, 5))]
-
-
-@st.composite
-def splines(draw, least=0, most=4, full=True):
-    """(points, knots) with knots that may stand up to p+1 times, p where the curve must not jump."""
-    p = draw(st.integers(least, most))
-    gaps = few_fractions(F(1, 3), 3, 3)
-    times = st.integers(1, p + 1 if full else max(1, p))
-    groups = draw(st.lists(st.tuples(gaps, times), min_size=2, max_size=5))
-    knots, here = [], draw(few_fractions(-2, 2, 2))
-    for gap, k in groups:
-        here += gap
-        knots += [here] * k
-    while len(knots) < 2 * p + 2 or knots[p] == knots[-p - 1]:
-        knots.append(knots[-1] + draw(gaps))
-    numbers = few_fractions(-4, 4, 3)
-    size = len(knots) - p - 1
-    return draw(st.lists(numbers, min_size=size, max_size=size)), knots
-
-
-def exact(values):
-    return np.asarray(values, object).tolist()
-
 
 # The transcript's cases, by hand
 
@@ -373,68 +298,3 @@ def test_a_large_curve():
     segments, breaks = to_bezier(points, knots)
     assert segments.shape == (397, 4, 2) and breaks.tolist() == list(range(398))
     assert (segments[1:, 0] == segments[:-1, 3]).all()
-
-
-# Symbols
-
-
-@pytest.mark.parametrize(
-    "p, knots",
-    [(p, list(range(p + 4))) for p in range(4)]
-    + [(1, [-1, 0, 0, F(1, 2), 2, 2, 3]), (2, KNOTS), (3, [-1, 0, 0, F(1, 2), 2, 2, 3]), (3, KNOTS)],
-)
-def test_with_a_symbol_in_a_span_the_basis_is_that_of_sympy(p, knots):
-    count = len(knots) - p - 1
-    for k in (k for k in range(len(knots) - 1) if knots[k] < knots[k + 1]):
-        got = basis(knots, p, x, span=k)
-        middle = sympy.Rational(knots[k] + knots[k + 1]) / 2
-        for i in range(count):
-            pieces = sympy.bspline_basis(p, tuple(sympy.Rational(s) for s in knots), i, x)
-            piece = next(e for e, where in pieces.args if bool(where.subs(x, middle)))
-            assert sympy.expand(got[i] - piece) == 0
-
-
-@pytest.mark.parametrize("p", range(4))
-def test_symbolic_points_and_parameter(p):
-    knots = [F(k * k, 3) for k in range(p + 6)]
-    points = list(sympy.symbols(f"b:{len(knots) - p - 1}"))
-    for k in range(p, len(points)):
-        weights = basis(knots, p, x, span=k)
-        curve = evaluate(points, knots, x, span=k)
-        assert sympy.expand(curve - weights.dot(points)) == 0
-        assert sympy.expand(de_boor(points, knots, x, span=k)[-1][0] - curve) == 0
-        assert sympy.expand(blossom(points, knots, k, *[x] * p) - curve) == 0
-        for r in range(p + 2):
-            assert sympy.expand(derivative(points, knots, x, r, span=k) - sympy.diff(curve, x, r)) == 0
-        middle = (knots[k] + knots[k + 1]) / 2
-        here = [sympy.expand(c) for c in (evaluate(points, knots, middle), curve.subs(x, middle))]
-        assert here[0] == here[1]
-    more, longer = insert(points, knots, F(7, 5) + knots[p])
-    assert sympy.expand(evaluate(more, longer, knots[p]) - evaluate(points, knots, knots[p])) == 0
-    segments, breaks = to_bezier(points, knots)
-    assert sympy.expand(segments[0, 0] - evaluate(points, knots, breaks[0])) == 0
-
-
-def test_a_given_span_continues_its_polynomial():
-    for k, t in product(range(2, 6), (-3, 0, F(5, 2), 9)):
-        samples = [KNOTS[k] + F(j, 4) for j in range(3)]
-        rows = [value(POINTS, KNOTS, s) for s in samples]
-        by_lagrange = sum(
-            rows[i] * sympy.prod([F(t - samples[j]) / (samples[i] - samples[j]) for j in range(3) if j != i])
-            for i in range(3)
-        )
-        assert evaluate(POINTS, KNOTS, t, span=k) == by_lagrange
-        assert sum(basis(KNOTS, 2, t, span=k)) == 1
-    assert evaluate(POINTS, KNOTS, [0, 1], span=3).tolist() == [-2, 3]
-
-
-def test_irrational_numbers_are_points_and_parameters():
-    root = sympy.sqrt(2)
-    got = evaluate([0, root, 4, 0, 4, 2], KNOTS, root)
-    assert sympy.expand(got - evaluate([0, root, 4, 0, 4, 2], KNOTS, x, span=3).subs(x, root)) == 0
-    assert span(KNOTS, 2, root) == 3
-    assert evaluate(POINTS, list(map(sympy.Integer, KNOTS)), sympy.Rational(3, 2)) == sympy.Rational(13, 4)
-
-
-def test_the_module_is_at_hand():
-    assert numeric.bspline is bspline

@@ -14,7 +14,7 @@ from bezteach.symbolic.bspline import terms
 
 from ..claim import Computed, Known, argued, claim
 from ..forms import quotient
-from ..knots import DEGREES, letters, multiplicities, one_span, piece, spans
+from ..knots import DEGREES, all_multiplicities, letters, one_span, piece, spans
 
 p = Symbol("p", integer=True, positive=True)
 s, A, B, C = symbols("s A B C", real=True)
@@ -42,7 +42,7 @@ def everywhere():
     return [
         (p, knots, t, span, piece(0, p, knots, t, span))
         for p in DEGREES
-        for times in multiplicities(p + 2)
+        for times in all_multiplicities(p + 2)
         for knots, t in [letters(*times, zero=0)]
         for span in spans(knots)
     ]
@@ -95,7 +95,7 @@ def no_term_turns_negative():
     return all(
         term > 0
         for p in DEGREES
-        for times in multiplicities(p + 2)
+        for times in all_multiplicities(p + 2)
         for knots in [[Fraction(3 * place * place) for place, count in enumerate(times) for _ in range(count)]]
         for span in spans(knots)
         for term in terms(0, p, knots, knots[span] + 1, span)

@@ -6,7 +6,8 @@ Degree p, knots t_0, ..., t_{n+p+1}, control points b_0, ..., b_n; f is the blos
 from fractions import Fraction
 
 from ..claim import Computed, Known, argued
-from ..knots import DEGREES, bernstein, blossom, letters, one_span, piece, point, units
+from ..knots import DEGREES, blossom, letters, one_span, piece, point, units
+from ..signs import bernstein
 
 ZIGZAG = [(0, 0), (1, 3), (3, 3), (4, 0), (6, 1), (7, 4)]
 CLAMPED_CUBIC = tuple(map(Fraction, (0, 0, 0, 0, 1, 1, 2, 2, 2, 2)))  # 1 stands twice
