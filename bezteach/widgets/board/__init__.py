@@ -1,7 +1,7 @@
 """The draggable board.
 
-``state.py`` is what it shows, ``scene.py`` how: every layer as marks; ``svg.py`` and ``board.js`` draw marks,
-``words.py`` says the exact numbers, ``board.py`` puts them into a widget.
+``state.py`` is what it shows, ``scene.py`` how: every layer as marks; ``svg.py`` draws marks, and so does the script in
+``browser/``; ``words.py`` says the exact numbers, ``board.py`` puts them into a widget.
 """
 
 from .board import Board

@@ -2,7 +2,6 @@
 
 from fractions import Fraction
 from html import escape
-from pathlib import Path
 
 import anywidget
 import traitlets
@@ -11,9 +10,9 @@ from ...display import image
 from . import scene, svg, words
 from .blocks import html, text
 from .marks import STYLES
+from .script import CSS, SCRIPT
 from .state import DEEPEST, HIGHEST, LAYERS, MOST, State, exact, from_json, layers_of, state_of, to_json
 
-HERE = Path(__file__).parent
 STEPS = (Fraction(1), Fraction(1, 2), Fraction(1, 4), Fraction(1, 12), Fraction(1, 24))
 FINE = 12  # steps of the grid across the points, at least
 
@@ -41,8 +40,8 @@ class Board(anywidget.AnyWidget):
     Fraction(1, 2)
     """
 
-    _esm = HERE / "board.js"
-    _css = HERE / "board.css"
+    _esm = SCRIPT
+    _css = CSS
     state = traitlets.Instance(State).tag(
         sync=True, to_json=lambda value, _: to_json(value), from_json=lambda value, _: from_json(value)
     )

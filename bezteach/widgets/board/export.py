@@ -3,7 +3,7 @@
 import json
 from html import escape
 
-from .board import HERE
+from .script import CSS, SCRIPT
 
 PAGE = """<!DOCTYPE html>
 <html lang="en">
@@ -48,8 +48,8 @@ def page(board, title):
     values = json.dumps(sent | {"home": sent["state"]}).replace("</", "<\\/")
     return PAGE.format(
         title=escape(title),
-        css=(HERE / "board.css").read_text(encoding="utf-8"),
-        script=(HERE / "board.js").read_text(encoding="utf-8"),
+        css=CSS,
+        script=SCRIPT,
         values=values,
         text=escape(board.text),
     )

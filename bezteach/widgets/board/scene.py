@@ -1,4 +1,4 @@
-"""The marks of a board's layers, each layer a function of the state; ``board.js`` paints the same ones in a browser."""
+"""The marks of a board's layers, each layer a function of the state; ``browser/`` paints the same ones."""
 
 from fractions import Fraction
 

@@ -1,4 +1,4 @@
-"""Marks as the text of an SVG picture, made in a millisecond; ``board.js`` makes the same elements in a browser."""
+"""Marks as the text of an SVG picture, made in a millisecond; ``browser/`` makes the same elements on a screen."""
 
 from html import escape
 
