@@ -14,20 +14,27 @@ COLOURS = {"ink": INK, "first": FIRST, "second": SECOND, "quiet": QUIET, "paper"
 
 
 @mpl.rc_context(STYLE)
-def drawn(marks, view, alt, *, stretched=False):
+def drawn(marks, view, alt, *, stretched=False, line=None):
     """Draw marks (``widgets.board.marks``) over a view (x0, y0, x1, y1); a second frame has the derivative's plane.
 
-    ``stretched`` gives the axes scales of their own. ``alt`` is the figure's label.
+    ``stretched`` gives the axes scales of their own. ``line`` is the view of a line of knots, which stands under the
+    picture. ``alt`` is the figure's label.
     """
-    count = 1 + any(mark.frame for mark in marks)
     x0, y0, x1, y1 = view
     height = 4.2 if stretched else min(max(6 * (y1 - y0) / (x1 - x0), 2.5), 7)
-    figure = Figure(figsize=(6 if count == 1 else 10, height), layout="constrained")
-    panels = figure.subplots(1, count, squeeze=False).ravel()
+    if line is not None:
+        figure = Figure(figsize=(7, height + 2.6), layout="constrained")
+        panels = figure.subplots(2, 1, height_ratios=(height, 2.6))
+    else:
+        count = 1 + any(mark.frame for mark in marks)
+        figure = Figure(figsize=(6 if count == 1 else 10, height), layout="constrained")
+        panels = figure.subplots(1, count, squeeze=False).ravel()
     for axes in panels:
         axes.set(aspect="auto" if stretched else "equal")
         axes.set_axis_off()
     panels[0].set(xlim=(x0, x1), ylim=(y0, y1))
+    if line is not None:
+        panels[1].set(xlim=(line[0], line[2]), ylim=(line[1], line[3]), aspect="auto")
     for mark in marks:
         DRAWN[mark.kind](panels[mark.frame], np.asarray(mark.points, dtype=float), mark)
     figure.set_label(alt)

@@ -6,6 +6,7 @@ from .board import Board
 from .explorers import (
     explore_affine,
     explore_basis,
+    explore_bspline,
     explore_casteljau,
     explore_crossings,
     explore_curvature,
@@ -29,6 +30,7 @@ __all__ = [
     "bench",
     "explore_affine",
     "explore_basis",
+    "explore_bspline",
     "explore_casteljau",
     "explore_crossings",
     "explore_curvature",

@@ -88,11 +88,13 @@ class Screen:
             self.root.locator("summary").click()
         return self.root.get_by_label(label)
 
-    def place(self, point, view):
-        """Where in the window a point of the plane is."""
+    def place(self, point, view, line=None):
+        """Where in the window a point of the plane is, or one of the knots' line, of which that is the view."""
         picture = self.picture()
-        _, rectangles = svg.layout(int(picture["svg"]["width"]), view, len(picture["frames"]) > 1)
-        ((x, y),) = svg.Frame(rectangles[0], view).place([point])
+        knots = any(one["data-handle"].startswith("knots") for one in picture["handles"])
+        _, rectangles = svg.layout(int(picture["svg"]["width"]), view, len(picture["frames"]) > 1, line=knots)
+        frame = svg.Frame(rectangles[0], view) if line is None else svg.Frame(rectangles[1], line, True)
+        ((x, y),) = frame.place([point])
         box = self.root.locator(".bt-picture > svg").bounding_box()
         return box["x"] + x, box["y"] + y
 
@@ -117,11 +119,15 @@ def differences(picture, board):
     Python's last dots and names, the control points, are handles in the browser, apart from the marks and larger.
     """
     width, count = int(picture["svg"]["width"]), len(board.points)
-    drawn = ElementTree.fromstring(svg.picture(board.marks, board.view, "", width, stretched=board.vertical))
+    options = {"stretched": board.vertical, "line": board.line_view}
+    drawn = ElementTree.fromstring(svg.picture(board.marks, board.view, "", width, **options))
     frames = drawn.findall(f"{SVG}svg")
     marks = [[_told(element) for element in frame] for frame in frames]
     marks[0], dots, names = marks[0][: -2 * count], marks[0][-2 * count : -count], marks[0][-count:]
     handles = [handle["parts"] for handle in _points(picture)]
+    knots = [handle["parts"] for handle in picture["handles"] if handle["data-handle"].startswith("knots")]
+    if knots:
+        marks[1], stacked = marks[1][: -len(board.knots)], marks[1][-len(board.knots) :]
     pairs = [
         (_only(picture["svg"], "width", "height"), _only(drawn.attrib, "width", "height")),
         *_pairs(picture["frames"], map(_told, frames)),
@@ -129,6 +135,10 @@ def differences(picture, board):
         *_pairs([_only(ring, "cx", "cy") for _, ring, _ in handles], [_only(dot, "cx", "cy") for dot in dots]),
         *_pairs([_only(dot, "cx", "cy") for _, _, dot in handles], [_only(dot, "cx", "cy") for dot in dots]),
     ]
+    for part in (0, 1) if knots else ():
+        pairs += _pairs(
+            [_only(parts[part], "cx", "cy") for parts in knots], [_only(dot, "cx", "cy") for dot in stacked]
+        )
     for frame, elements in zip(picture["frames"], marks, strict=False):
         pairs += _pairs(frame["marks"], elements)
     return [(screen, python) for screen, python in pairs if not _same(screen, python)]

@@ -3,6 +3,7 @@
 import json
 import random
 from fractions import Fraction as F
+from itertools import pairwise
 
 import pytest
 from browser_screen import PICTURE, differences, reachable_page
@@ -11,12 +12,13 @@ from bezteach.palette import FIRST, INK, QUIET, SECOND
 from bezteach.widgets import Board
 from bezteach.widgets.board import LAYERS
 from bezteach.widgets.board.marks import STYLES, Mark
-from bezteach.widgets.board.state import DEEPEST, HIGHEST
+from bezteach.widgets.board.state import DEEPEST, HIGHEST, OF_KNOTS
 
 WIDTHS = (1200, 760, 400)  # of the window: readout beside the picture, under it, second frame under the first
 STATES = 20  # at each width
-PAINT = f"""([state, view, marks]) => {{
+PAINT = f"""([state, view, ends, marks]) => {{
   board.set("view", view);
+  board.set("ends", ends);
   board.set("state", state);
   if (marks.length) board.set("answer", {{ ...board.get("answer"), marks }});
   return ({PICTURE})(document.querySelector(".bt-board"));
@@ -36,11 +38,13 @@ def painted(opened, tmp_path):
 
     def paint(board, width):
         opened.page.set_viewport_size({"width": width, "height": 900})
-        kind = (board.vertical, board.letter)
+        kind = (board.vertical, board.letter, board.knots is None)
         if kinds.get("open") != kind:
             kinds["open"] = kind
             opened.page.goto(reachable_page(board, tmp_path))
-        sent = json.loads(json.dumps([board.get_state(["state"])["state"], board.view, board.answer["marks"]]))
+        sent = json.loads(
+            json.dumps([board.get_state(["state"])["state"], board.view, board.ends, board.answer["marks"]])
+        )
         return opened.page.evaluate(PAINT, sent)
 
     yield paint
@@ -80,6 +84,27 @@ def test_random_boards(painted, width):
     chance = random.Random(width)
     for _ in range(STATES):
         board = random_board(chance)
+        assert differences(painted(board, width), board) == [], board.state
+
+
+def random_spline(chance):
+    """Any degree, any knots with any multiplicities up to one more than it, t a knot or between two, any layers."""
+    degree, count = chance.randint(1, 5), chance.randint(1, 9)
+    points = [(F(chance.randint(-24, 24), 4), F(chance.randint(-16, 20), 4)) for _ in range(degree + count)]
+    while True:
+        knots = sorted(F(chance.randint(0, 12), chance.choice((1, 2, 3))) for _ in range(2 * degree + count + 1))
+        if all(one < other for one, other in zip(knots, knots[degree + 1 :], strict=False)):
+            break
+    inside = knots[degree : degree + count + 1]
+    t = chance.choice([*inside, *((one + other) / 2 for one, other in pairwise(inside))])
+    return Board(points, t, [name for name in OF_KNOTS if chance.random() < 0.6], knots=knots)
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+def test_random_splines(painted, width):
+    chance = random.Random(width)
+    for _ in range(STATES):
+        board = random_spline(chance)
         assert differences(painted(board, width), board) == [], board.state
 
 

@@ -46,7 +46,7 @@ def test_a_number_of_sympy_is_read_exactly():
     [
         ({"points": [(0, 0)]}, "a board shows 2 to 20 control points, and here are 1"),
         ({"points": [(k, 0) for k in range(60)]}, "2 to 20 control points, and here are 60"),
-        ({"points": 5}, "the control points are 5, not a list of points"),
+        ({"points": 5}, "the control points are 5, not a list"),
         ({"points": [(0, 0), (1, float("nan"))]}, "a coordinate of control point b_1 is nan"),
         ({"points": [(0, 0), (1, float("inf"))]}, "a coordinate of control point b_1 is inf"),
         ({"points": [(0, 0, 0), (1, 1, 1)]}, "control point b_0 has 3 coordinates, and the board is a plane"),
@@ -61,7 +61,7 @@ def test_a_number_of_sympy_is_read_exactly():
         ({"t": F(5, 4)}, "t = 5/4 lies outside"),
         ({"t": -0.5}, "t = -1/2 lies outside"),
         ({"a": 2}, "a = 2 lies outside"),
-        ({"show": ("curve", "shadow")}, "there is no layer 'shadow': there are hull, polygon"),
+        ({"show": ("curve", "shadow")}, "there is no layer 'shadow' of a Bézier curve: there are hull, polygon"),
         ({"offer": "shadow"}, "there is no layer 'shadow'"),
         ({"line": ((1, 1), (1, 1))}, "a line goes through two different points"),
         ({"depth": 7}, "depth is 7, not a whole number from 0 to 6"),

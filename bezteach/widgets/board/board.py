@@ -7,11 +7,12 @@ import anywidget
 import traitlets
 
 from ...display import image
+from . import knots as knot_line
 from . import scene, svg, words
 from .blocks import html, text
 from .marks import STYLES
 from .script import CSS, SCRIPT
-from .state import DEEPEST, HIGHEST, LAYERS, MOST, State, exact, from_json, layers_of, state_of, to_json
+from .state import DEEPEST, HIGHEST, LAYERS, MOST, OF_KNOTS, State, exact, from_json, layers_of, state_of, to_json
 
 STEPS = (Fraction(1), Fraction(1, 2), Fraction(1, 4), Fraction(1, 12), Fraction(1, 24))
 FINE = 12  # steps of the grid across the points, at least
@@ -22,6 +23,9 @@ class Board(anywidget.AnyWidget):
 
     ``points``: 2 to 20 rows of two exact numbers; ``t`` in [0, 1]; ``show``: names of layers (``LAYERS``). Further
     settings of a state by name: ``a``, ``b``, ``line`` (two points), ``level``, ``end``, ``depth``, ``raised``.
+
+    With ``knots`` it is a B-spline curve of degree 1 to 5, t in its domain, and ``OF_KNOTS`` its layers. The knots
+    stand in a line under the picture: they are moved along it, and a click on one inserts it once more.
 
     Moved points snap to multiples of ``grid``. ``vertical`` is for graphs: points move up and down only, their number
     stays, and the axes have scales of their own. ``projector`` draws thick lines and large letters, ``letter`` names
@@ -48,6 +52,7 @@ class Board(anywidget.AnyWidget):
     home = traitlets.Dict().tag(sync=True)
     answer = traitlets.Dict().tag(sync=True)
     view = traitlets.List(traitlets.Float()).tag(sync=True)
+    ends = traitlets.List(traitlets.Float()).tag(sync=True)
     grid = traitlets.Unicode().tag(sync=True)
     layers = traitlets.Dict().tag(sync=True)
     styles = traitlets.Dict().tag(sync=True)
@@ -60,14 +65,14 @@ class Board(anywidget.AnyWidget):
     def __init__(
         self,
         points,
-        t=Fraction(1, 3),
-        show=("polygon", "curve"),
+        t=None,
+        show=None,
         *,
         grid=None,
         vertical=False,
         projector=False,
         letter="b",
-        offer=tuple(LAYERS),
+        offer=None,
         view=None,
         goal=None,
         blocks=words.blocks,
@@ -75,7 +80,9 @@ class Board(anywidget.AnyWidget):
         **settings,
     ):
         start = state_of(points, t=t, show=show, **settings)
-        step = _step(start.points) if grid is None else exact(grid, "the grid's step")
+        layers = LAYERS if start.knots is None else OF_KNOTS
+        knots = start.knots or (0, 1)
+        step = _step(_extent(start.points)) if grid is None else exact(grid, "the grid's step")
         if step <= 0:
             raise ValueError(f"the grid's step is {step}, and must be positive")
         self._blocks, self._marks, self._goal = blocks, marks, goal
@@ -84,10 +91,11 @@ class Board(anywidget.AnyWidget):
             home=to_json(start),
             answer=self._answered(start),
             view=list(svg.room(start.points) if view is None else view),
+            ends=[float(knots[0]), float(knots[-1])],
             grid=str(step),
-            layers={name: LAYERS[name] for name in layers_of(offer)},
+            layers={name: layers[name] for name in layers_of(layers if offer is None else offer, start.knots)},
             styles={name: style._asdict() for name, style in STYLES.items()},
-            limits={"depth": DEEPEST, "raised": HIGHEST},
+            limits={"depth": DEEPEST, "raised": HIGHEST, "knots": str(_step(knots[-1] - knots[0]))},
             vertical=vertical,
             projector=projector,
             letter=letter,
@@ -137,6 +145,11 @@ class Board(anywidget.AnyWidget):
         self.change(t=given)
 
     @property
+    def knots(self):
+        """The knots, a tuple of Fractions, or None."""
+        return self.state.knots
+
+    @property
     def text(self):
         """What the board says, in words."""
         return self.answer["text"]
@@ -147,15 +160,20 @@ class Board(anywidget.AnyWidget):
         return self._marks(self.state) + scene.scene(self.state, self.letter)
 
     @property
+    def line_view(self):
+        """The part of the plane that is shown of the knots' line, as ``view``; None without knots."""
+        return None if self.knots is None else knot_line.line_view(self.ends, knot_line.degree_of(self.state))
+
+    @property
     def svg(self):
         """The picture as SVG text, for a stored notebook and a printout."""
-        return svg.picture(self.marks, self.view, self.text, stretched=self.vertical)
+        return svg.picture(self.marks, self.view, self.text, stretched=self.vertical, line=self.line_view)
 
     def figure(self):
         """The picture as a matplotlib ``Figure`` for a handout."""
         from ...figures import drawn
 
-        return drawn(self.marks, self.view, self.text, stretched=self.vertical)
+        return drawn(self.marks, self.view, self.text, stretched=self.vertical, line=self.line_view)
 
     def __repr__(self):
         return self.text
@@ -166,8 +184,11 @@ class Board(anywidget.AnyWidget):
         return (data or {}) | {"text/plain": self.text, "text/html": image(self.svg, self.text)}, metadata
 
 
-def _step(points):
-    """The largest of the usual steps that leaves enough of them across the points."""
-    x0, y0, x1, y1 = svg.room(points, spare=0)
-    span = max(x1 - x0, y1 - y0)
+def _step(span):
+    """The largest of the usual steps that leaves enough of them across."""
     return next((step for step in STEPS if FINE * step <= span), STEPS[-1])
+
+
+def _extent(points):
+    x0, y0, x1, y1 = svg.room(points, spare=0)
+    return max(x1 - x0, y1 - y0)

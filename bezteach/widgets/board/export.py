@@ -33,7 +33,20 @@ render({{ model: standIn({values}), el: document.getElementById("board") }});
 </body>
 </html>
 """
-SENT = ("state", "home", "view", "grid", "layers", "styles", "limits", "most", "vertical", "projector", "letter")
+SENT = (
+    "state",
+    "home",
+    "view",
+    "ends",
+    "grid",
+    "layers",
+    "styles",
+    "limits",
+    "most",
+    "vertical",
+    "projector",
+    "letter",
+)
 
 
 def page(board, title):

@@ -22,7 +22,7 @@ class Mark(NamedTuple):
     ``kind``: "line" joins the points, "area" closes and fills what they enclose, "whole" is the line through the first
     two, "curve" has them as control points, "dots" and "squares" mark them, "circle" has the first as its centre and
     runs through the second, "names" writes ``words`` beside them, away from their neighbours, "below" under them.
-    ``frame`` is 0 for the plane of the curve, 1 for that of its derivative.
+    ``frame`` is 0 for the plane of the curve, 1 for that of its derivative or the line of its knots.
     """
 
     kind: str
@@ -54,6 +54,11 @@ STYLES = {
     "hodograph": Style("second", 4),
     "vector": Style("ink", 2.4),
     "even": Style("second", 1.8, fill="paper", radius=3),
+    "break": Style("ink", 2, fill="paper", radius=5),
+    "deciding": Style("first", 2.4, fill="first", radius=11, opacity=0.4),
+    "function-even": Style("second", 2.8),
+    "function-odd": Style("first", 2.8, dash="8 4"),
+    "function-rest": Style("quiet", 1.4),
     "odd": Style("first", 1.8, dash="7 4", fill="paper", radius=3),
 }
 

@@ -8,7 +8,9 @@ from ... import numeric
 from .blocks import name_of
 from .crossings import curve_crossings, polygon_crossings
 from .joining import frames, local, natural, pieces
+from .knots import stacks
 from .marks import STYLES, Mark, mark, rows
+from .spline import breaks, deboor, functions, line, span, spline
 
 
 def scene(state, letter="b"):
@@ -17,7 +19,9 @@ def scene(state, letter="b"):
     marks = [one for name in state.show for one in PAINTED[name](points, state)]
     names = tuple(name_of(i, letter=letter) for i in range(len(points)))
     handles = [mark("dots", points, "new"), Mark("names", rows(points), STYLES["new"], names)]
-    return marks + handles
+    if state.knots is None:
+        return marks + handles
+    return line(state) + marks + [mark("dots", stacks(state.knots), "new", 1)] + handles
 
 
 def _polygon(points, state):
@@ -178,4 +182,9 @@ PAINTED = {
     "frames": frames,
     "local": local,
     "natural": natural,
+    "spline": spline,
+    "breaks": breaks,
+    "span": span,
+    "deboor": deboor,
+    "functions": functions,
 }

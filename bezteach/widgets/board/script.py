@@ -6,6 +6,6 @@ The files of ``browser/`` are one script, in this order; a widget and an exporte
 from pathlib import Path
 
 HERE = Path(__file__).parent
-PARTS = ("exact", "scene", "picture", "moving", "alone")
+PARTS = ("exact", "scene", "spline", "picture", "moving", "alone")
 SCRIPT = "\n".join((HERE / "browser" / f"{part}.js").read_text(encoding="utf-8") for part in PARTS)
 CSS = (HERE / "board.css").read_text(encoding="utf-8")

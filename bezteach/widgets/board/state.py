@@ -5,6 +5,8 @@ from fractions import Fraction
 from math import isfinite
 from typing import NamedTuple
 
+from . import knots as knot_line
+
 LAYERS = {  # from the bottom of the picture to its top
     "hull": "convex hull and its box",
     "polygon": "control polygon",
@@ -24,6 +26,15 @@ LAYERS = {  # from the bottom of the picture to its top
     "local": "points as data: spline by the one-sixth rule",
     "natural": "points as data: natural spline",
 }
+OF_KNOTS = {  # likewise, of a B-spline curve
+    "hull": LAYERS["hull"],
+    "polygon": LAYERS["polygon"],
+    "span": "what the span of t depends on, and its hull",
+    "spline": "curve, span by span",
+    "breaks": "joins of the spans, at the knots",
+    "deboor": "de Boor's levels at t",
+    "functions": "basis functions",
+}
 FEWEST, MOST = 2, 20
 DEEPEST, HIGHEST = 6, 12  # halvings and elevations: more cannot be told apart on a screen
 LARGEST = 10**9  # of a coordinate: the pictures are computed in floats
@@ -35,7 +46,8 @@ class State(NamedTuple):
     """One moment of a board; every number is a Fraction or an int, a point a pair of them.
 
     ``level`` is the last level shown of de Casteljau's, None for all; ``end`` 0 or 1 bears the circle; ``line`` is two
-    points; ``depth`` counts halvings and ``raised`` elevations.
+    points; ``depth`` counts halvings and ``raised`` elevations. Without ``knots`` the curve is a Bézier curve and t in
+    [0, 1]; with them it is a B-spline curve and t in their domain.
     """
 
     points: tuple
@@ -48,6 +60,7 @@ class State(NamedTuple):
     depth: int = 1
     raised: int = 1
     show: tuple = ("polygon", "curve")
+    knots: tuple | None = None
 
 
 def exact(value, name):
@@ -95,12 +108,18 @@ def points_of(given, name="b"):
     return tuple(rows)
 
 
-def parameter_of(given, name):
-    """A parameter in [0, 1] as a Fraction; ``ValueError`` names one outside."""
-    value = exact(given, name)
-    if not 0 <= value <= 1:
-        raise ValueError(f"{name} = {value} lies outside [0, 1]")
+def parameter_of(given, name, domain=(0, 1)):
+    """A parameter in the domain as a Fraction; ``ValueError`` names one outside."""
+    value, (first, last) = exact(given, name), domain
+    if not first <= value <= last:
+        raise ValueError(f"{name} = {value} lies outside [{first}, {last}]")
     return value
+
+
+def knots_of(given, count):
+    """Knots for so many control points as a tuple of Fractions; ``ValueError`` names the rule and the offender."""
+    row = _listed(given, "the knots")
+    return knot_line.checked(tuple(_coordinate(value, f"knot t_{i}") for i, value in enumerate(row)), count)
 
 
 def line_of(given):
@@ -118,20 +137,22 @@ def count_of(given, name, most, least=0):
     return given
 
 
-def layers_of(given):
+def layers_of(given, knots=None):
     """Names of layers as a tuple in the order in which they are painted; ``ValueError`` names an unknown one."""
+    there = LAYERS if knots is None else OF_KNOTS
     names = (given,) if isinstance(given, str) else tuple(given)
     for name in names:
-        if name not in LAYERS:
-            raise ValueError(f"there is no layer {name!r}: there are {', '.join(LAYERS)}")
-    return tuple(name for name in LAYERS if name in names)
+        if name not in there:
+            kind = "a Bézier curve" if knots is None else "a B-spline"
+            raise ValueError(f"there is no layer {name!r} of {kind}: there are {', '.join(there)}")
+    return tuple(name for name in there if name in names)
 
 
 def _listed(given, what):
     try:
         return list(given)
     except TypeError:
-        raise ValueError(f"{what} are {given!r}, not a list of points") from None
+        raise ValueError(f"{what} are {given!r}, not a list") from None
 
 
 def _pair(row, name):
@@ -161,7 +182,8 @@ def to_json(state):
         return str(value) if isinstance(value, Fraction) else value
 
     texts = {name: written(value) for name, value in state._asdict().items()}
-    return texts | {name: [list(map(str, row)) for row in getattr(state, name)] for name in ("points", "line")}
+    texts |= {name: [list(map(str, row)) for row in getattr(state, name)] for name in ("points", "line")}
+    return texts if state.knots is None else texts | {"knots": list(map(str, state.knots))}
 
 
 def from_json(given):
@@ -171,16 +193,25 @@ def from_json(given):
     return state_of(**given)
 
 
-def state_of(points, *, line=None, level=None, **settings):
+def state_of(points, *, t=None, show=None, line=None, level=None, knots=None, **settings):
     """A state of what a user gives; ``ValueError`` names the rule and the offender.
 
-    Without a ``line``, it is horizontal, at half the height of the points.
+    Polygon and curve are shown if nothing else is said. Without a ``t``, it is 1/3, and in the middle of a domain of
+    knots. Without a ``line``, it is horizontal, at half the height of the points.
     """
     points = points_of(points)
-    read = {name: _READERS[name](given, name) for name, given in settings.items()}
-    state = State(points, **read, line=line_of(_across(points) if line is None else line))
-    level = None if level in (None, len(points) - 1) else count_of(level, "level", len(points) - 1)
-    return state._replace(level=level)
+    knots = None if knots is None else knots_of(knots, len(points))
+    domain = knot_line.domain_of(points, knots)
+    middle, drawn = (Fraction(1, 3), "curve") if knots is None else (sum(domain) / 2, "spline")
+    return State(
+        points,
+        parameter_of(middle if t is None else t, "t", domain),
+        **{name: _READERS[name](given, name) for name, given in settings.items()},
+        line=line_of(_across(points) if line is None else line),
+        level=None if level in (None, len(points) - 1) else count_of(level, "level", len(points) - 1),
+        show=layers_of(("polygon", drawn) if show is None else show, knots),
+        knots=knots,
+    )
 
 
 def _across(points):
@@ -192,11 +223,9 @@ def _across(points):
 
 
 _READERS = {
-    "t": parameter_of,
     "a": parameter_of,
     "b": parameter_of,
     "end": lambda given, name: count_of(given, name, 1),
     "depth": lambda given, name: count_of(given, name, DEEPEST),
     "raised": lambda given, name: count_of(given, name, HIGHEST),
-    "show": lambda given, name: layers_of(given),
 }

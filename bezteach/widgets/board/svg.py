@@ -51,18 +51,24 @@ def room(points, spare=0.12):
     return (float(x0), float(y0), float(x1), float(y1))
 
 
-def layout(width, view, beside, stretched=False):
-    """The height of a picture of this width, and the rectangles of its one or two frames."""
-    narrow = width < NARROW
-    across = width if narrow or not beside else round(0.62 * width)
+def layout(width, view, beside, stretched=False, line=False):
+    """The height of a picture of this width, and the rectangles of its one or two frames.
+
+    ``beside``: whether there is a frame of vectors, beside the first or, in a narrow picture, under it; ``line``:
+    whether there is a line of knots, always under it.
+    """
+    stacked = line or width < NARROW
+    across = width if stacked or not beside else round(0.62 * width)
     x0, y0, x1, y1 = view
     steep = STEEP if stretched else (y1 - y0) / (x1 - x0)
-    height = round(min(max(steep * (across - 2 * MARGIN) + 2 * MARGIN, 0.4 * across), 0.72 * across))
+    high = 0.5 if line else 0.72
+    height = round(min(max(steep * (across - 2 * MARGIN) + 2 * MARGIN, 0.4 * across), high * across))
     first = (0, 0, across, height)
     if not beside:
         return height, [first]
-    if narrow:
-        return height + round(0.7 * width), [first, (0, height, width, round(0.7 * width))]
+    if stacked:
+        under = round((0.36 if line else 0.7) * width)
+        return height + under, [first, (0, height, width, under)]
     return height, [first, (across, 0, width - across, height)]
 
 
@@ -75,11 +81,12 @@ def vector_view(marks):
     return (-half, -half, half, half)
 
 
-def picture(marks, view, alt, width=WIDTH, *, stretched=False):
-    """The SVG text of marks over a view of the plane, ``width`` pixels wide."""
+def picture(marks, view, alt, width=WIDTH, *, stretched=False, line=None):
+    """The SVG text of marks over a view of the plane, ``width`` pixels wide; ``line`` is that of the knots' line."""
     beside = any(mark.frame for mark in marks)
-    height, rectangles = layout(width, view, beside, stretched)
-    frames = [Frame(rectangles[0], view, stretched), *(Frame(other, vector_view(marks)) for other in rectangles[1:])]
+    height, rectangles = layout(width, view, beside, stretched, line is not None)
+    views = [(view, stretched), (vector_view(marks), False) if line is None else (line, True)]
+    frames = [Frame(place, *seen) for place, seen in zip(rectangles, views, strict=False)]
     body = "".join(_clipped(frame, [m for m in marks if m.frame == i]) for i, frame in enumerate(frames))
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" role="img" aria-label="{escape(alt)}" '

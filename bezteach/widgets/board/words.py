@@ -10,6 +10,7 @@ from ...display import number, point
 from .blocks import Block, exact_array, listed, name_of, power, root_of, times
 from .join_words import frames_said, local_said, natural_said, pieces_said
 from .shape_words import circle_said, hull_said, line_said
+from .spline_words import breaks_said, deboor_said, functions_said, knots_said, span_said, spline_said
 
 DATA = {"local", "natural"}  # layers for which the points are data
 
@@ -24,7 +25,7 @@ def blocks(state):
     Control points in degree 3 (升阶) ('(0, 0)', '(2/3, 4/3)', '(4/3, 4/3)', '(2, 0)')
     """
     given = "Data points" if DATA & {*state.show} else "Control points"
-    said = [Block(given, listed(state.points))]
+    said = [Block(given, listed(state.points)), *([] if state.knots is None else knots_said(state))]
     for name in state.show:
         said += SAID[name](state) if name in SAID else []
     return said
@@ -168,4 +169,9 @@ SAID = {
     "frames": frames_said,
     "local": local_said,
     "natural": natural_said,
+    "spline": spline_said,
+    "breaks": breaks_said,
+    "span": span_said,
+    "deboor": deboor_said,
+    "functions": functions_said,
 }

@@ -2,6 +2,7 @@
 
 from .affine import explore_affine
 from .basis import explore_basis
+from .bspline import explore_bspline
 from .joining import explore_join, explore_spline
 from .powers import explore_powers
 from .presets import (
@@ -21,6 +22,7 @@ from .quartic import explore_quartic
 __all__ = [
     "explore_affine",
     "explore_basis",
+    "explore_bspline",
     "explore_casteljau",
     "explore_crossings",
     "explore_curvature",

@@ -13,8 +13,11 @@ const element = (tag, attributes = {}, ...children) => {
 const SVG = "http://www.w3.org/2000/svg";
 const NARROWEST = 240; // pixels of a picture
 const REACH = 26; // pixels around a point in which a finger or a pointer takes it
+const STILL = 4; // pixels that a pointer may move in a click
 const BIG = 5n; // grid steps of an arrow key with Shift
-const TICKS = 120; // of t while it plays; the slider stops at every fifth
+const KINDS = { points: "control point", line: "point of the line", knots: "knot" };
+const PART = "1/24"; // of [0, 1]: where the slider of a parameter stops
+const TICKS = 5; // from one stop to the next, while t plays
 const SECONDS = 5;
 const REMEMBERED = 200;
 const ARROWS = { ArrowLeft: [-1n, 0n], ArrowRight: [1n, 0n], ArrowUp: [0n, 1n], ArrowDown: [0n, -1n] };
@@ -23,14 +26,13 @@ function render({ model, el }) {
   let state = model.get("state");
   let selected = null;
   let playing = null;
-  let frame = null;
+  let frames = [];
   let held = null;
   let history = [];
   let width = 640;
   let own = JSON.stringify(model.get("answer").marks); // what Python wants painted under the layers
   const styles = model.get("styles");
   const size = () => (model.get("projector") ? 1.6 : 1);
-  const grid = () => read(model.get("grid"));
   const most = model.get("most");
 
   // -- the parts on the screen
@@ -71,39 +73,60 @@ function render({ model, el }) {
     send();
   };
 
-  // -- moving points: a handle is a control point or one of the line's two
+  // -- moving: a handle is a control point, one of the line's two, or a knot
+  const placed = (list, frame, places, name) => places.map((at, index) => ({ at, list, index, frame, name: name(index) }));
   const handles = () => [
-    ...state.points.map((at, index) => ({ at, list: "points", index, name: nameOf(model.get("letter"), index) })),
-    ...(state.show.includes("line") ? state.line.map((at, index) => ({ at, list: "line", index, name: "PQ"[index] })) : []),
+    ...placed("points", 0, state.points, (index) => nameOf(model.get("letter"), index)),
+    ...placed("line", 0, state.show.includes("line") ? state.line : [], (index) => "PQ"[index]),
+    ...placed("knots", 1, (state.knots ?? []).map((_, index) => stackPlace(state.knots, index)), (index) => nameOf("t", index)),
   ];
   const view = () => held?.view ?? model.get("view").map(Number); // which stays while a point is dragged
-  const inside = (steps, axis) => {
-    const [p, q] = grid();
+  const grid = (handle) => read(handle?.list === "knots" ? model.get("limits").knots : model.get("grid"));
+  const inside = (steps, axis, handle) => {
+    const [p, q] = grid(handle);
     const unit = Number(p) / Number(q);
-    const low = BigInt(Math.ceil(view()[axis] / unit - 1e-9));
-    const high = BigInt(Math.floor(view()[axis + 2] / unit + 1e-9));
-    return write(times([steps < low ? low : steps > high ? high : steps, 1n], grid()));
+    const [first, last] = handle?.list === "knots" ? model.get("ends") : [view()[axis], view()[axis + 2]];
+    const low = BigInt(Math.ceil(first / unit - 1e-9));
+    const high = BigInt(Math.floor(last / unit + 1e-9));
+    return write(times([steps < low ? low : steps > high ? high : steps, 1n], grid(handle)));
   };
   const move = (handle, to, options) => {
+    if (handle.list === "knots") return moveKnot(handle, to[0], options);
     if (model.get("vertical") && handle.list === "points") to = [handle.at[0], to[1]];
     const list = state[handle.list].map((at, i) => (i === handle.index ? to : at));
     if (handle.list === "line" && list[0].join() === list[1].join()) return;
     become({ [handle.list]: list }, options);
   };
+  // One knot of a stack goes its way, past others if it must; t stays in the domain.
+  const moveKnot = ({ index }, to, options) => {
+    const others = state.knots.filter((_, i) => i !== index);
+    const knots = inOrder([...others, to]);
+    if (to === state.knots[index] || !allowed(knots, state.points.length)) return;
+    become({ knots, t: nearestIn(domainOf({ ...state, knots }), state.t) }, options);
+    const now = knots.lastIndexOf(to);
+    if (held) held.index = now;
+    focusOn({ list: "knots", index: now });
+  };
+  const nearestIn = ([first, last], t) => (below(read(t), read(first)) ? first : below(read(last), read(t)) ? last : t);
+  const insert = (t) => {
+    const made = state.points.length < most && inserted(state, t);
+    if (made) become(made);
+  };
   const drag = (handle, [sx, sy], options) => {
-    const [p, q] = grid();
+    const [p, q] = grid(handle);
     const unit = Number(p) / Number(q);
-    move(handle, frame.back([sx, sy]).map((c, axis) => inside(BigInt(Math.round(c / unit)), axis)), options); // prettier-ignore
+    const at = frames[handle.frame].back([sx, sy]);
+    move(handle, at.map((c, axis) => inside(BigInt(Math.round(c / unit)), axis, handle)), options); // prettier-ignore
   };
   const step = (handle, direction, big) => {
-    const [p, q] = grid();
+    const [p, q] = grid(handle);
     const to = handle.at.map((text, axis) => {
       if (!direction[axis]) return text;
       const [a, b] = read(text);
       const whole = (a * q) / (b * p) - ((a * q) % (b * p) < 0n ? 1n : 0n); // the last grid line not above it
       const on = (a * q) % (b * p) === 0n;
       const steps = direction[axis] * (big ? BIG : 1n);
-      return inside(whole + steps + (steps < 0n && !on ? 1n : 0n), axis);
+      return inside(whole + steps + (steps < 0n && !on ? 1n : 0n), axis, handle);
     });
     move(handle, to);
   };
@@ -112,10 +135,11 @@ function render({ model, el }) {
     const box = svg.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
   };
+  const placeOf = ({ at, frame }) => frames[frame].place(at.map(value));
   const nearest = (at) => // of two in one place the one painted later, a line's
     handles()
       .reverse()
-      .map((handle) => ({ handle, distance: Math.hypot(...subtract(frame.place(handle.at.map(value)), at)) }))
+      .map((handle) => ({ handle, distance: Math.hypot(...subtract(placeOf(handle), at)) }))
       .filter(({ distance }) => distance <= REACH * size())
       .sort((one, other) => one.distance - other.distance)[0]?.handle;
   svg.addEventListener("pointerdown", (event) => {
@@ -123,7 +147,7 @@ function render({ model, el }) {
     if (!handle || event.button > 0) return;
     event.preventDefault();
     svg.setPointerCapture(event.pointerId);
-    held = { ...handle, fresh: true, view: view(), offset: subtract(frame.place(handle.at.map(value)), where(event)) };
+    held = { ...handle, fresh: true, view: view(), from: where(event), offset: subtract(placeOf(handle), where(event)) };
     focusOn(handle);
   });
   svg.addEventListener("pointermove", (event) => {
@@ -132,12 +156,15 @@ function render({ model, el }) {
       return;
     }
     const before = state;
+    held.moved ||= Math.hypot(...subtract(where(event), held.from)) > STILL;
     const to = where(event).map((c, axis) => c + held.offset[axis]);
-    drag({ ...held, at: state[held.list][held.index] }, to, { recorded: held.fresh });
+    drag(handles().find(({ list, index }) => list === held.list && index === held.index), to, { recorded: held.fresh });
     if (state !== before) held.fresh = false;
   });
-  const release = () => {
+  const release = ({ type }) => {
+    const clicked = type === "pointerup" && held?.list === "knots" && !held.moved ? held : null;
     held = null;
+    if (clicked) insert(state.knots[clicked.index]);
     paint();
   };
   for (const ending of ["pointerup", "pointercancel"]) svg.addEventListener(ending, release);
@@ -151,6 +178,7 @@ function render({ model, el }) {
     const handle = handles().find(({ list, index }) => event.target.dataset?.handle === list + index);
     const typed = event.ctrlKey || event.metaKey ? `Ctrl+${event.key.toLowerCase()}` : event.key;
     if (handle && ARROWS[event.key]) step(handle, ARROWS[event.key], event.shiftKey);
+    else if (handle?.list === "knots" && ["+", "Enter"].includes(typed)) insert(state.knots[handle.index]);
     else if (handle && handle.list === "points" && ["Delete", "Backspace"].includes(typed)) remove();
     else if (typed === "Ctrl+z") undo();
     else {
@@ -178,7 +206,7 @@ function render({ model, el }) {
     return inside(BigInt(Math.round((value(text) * Number(q)) / Number(p))), axis);
   };
   const remove = () => {
-    if (state.points.length <= 2 || model.get("vertical")) return;
+    if (state.points.length <= 2 || model.get("vertical") || state.knots) return;
     const i = current();
     become({ points: state.points.filter((_, k) => k !== i), level: null });
     focusOn({ list: "points", index: Math.max(i - 1, 0) });
@@ -189,6 +217,7 @@ function render({ model, el }) {
     reset: button("Reset", "back to the start", () => become(model.get("home"))),
     add: button("Add point", "a new point behind the marked one", add),
     remove: button("Remove point", "take the marked point away (Delete)", remove),
+    insert: button("Insert knot at t", "the same curve, with t once more among the knots", () => insert(state.t)),
     elevate: button("Elevate", "the same curve, one degree higher", () => become({ points: elevated(state.points), level: null })),
     projector: button("Projector", "thick lines and large letters", () => {
       model.set("projector", !model.get("projector"));
@@ -209,14 +238,14 @@ function render({ model, el }) {
     layers.append(element("label", {}, box, " " + label));
     return [name, box];
   });
-  const degreeTools = model.get("vertical") ? [] : [buttons.add, buttons.remove];
+  const degreeTools = state.knots ? [buttons.insert] : model.get("vertical") ? [] : [buttons.add, buttons.remove];
   if (degreeTools.length && model.get("layers").curve) degreeTools.push(buttons.elevate); // not of several curves
   tools.append(buttons.undo, buttons.reset, ...degreeTools, buttons.projector, ...(boxes.length > 1 ? [layers] : []));
 
   // -- sliders, each for the layers that use it
   const slider = (name, label, high, { low = 0, stride = 1, get, set, shown }) => {
     const output = element("output");
-    const input = element("input", { type: "range", min: low, max: high, step: stride, "aria-label": label });
+    const input = element("input", { type: "range", min: low, max: typeof high === "function" ? high() : high, step: stride, "aria-label": label });
     input.addEventListener("pointerdown", () => (input.grasped = false));
     input.addEventListener("input", () => {
       pause();
@@ -228,25 +257,38 @@ function render({ model, el }) {
     return { name, box, input, output, get, shown, limit: typeof high === "function" ? high : null };
   };
   const uses = (...names) => () => names.some((name) => state.show.includes(name));
+  const stop = () => read(state.knots ? model.get("limits").knots : PART);
+  const ticks = () => {
+    const [[p, q], [c, d]] = [minus(...domainOf(state).map(read).reverse()), stop()];
+    return TICKS * Number((p * d + q * c - 1n) / (q * c));
+  };
+  const atTick = (tick) => {
+    const [first, last] = domainOf(state).map(read);
+    return nearestIn([write(first), write(last)], write(plus(first, times(fraction(BigInt(tick), BigInt(TICKS)), stop()))));
+  };
+  const ticksOf = (t) => {
+    const [first, [c, d]] = [value(domainOf(state)[0]), stop()];
+    return Math.round(((value(t) - first) * TICKS * Number(d)) / Number(c));
+  };
   const parameter = (name, label, shown) =>
-    slider(name, label, TICKS, {
-      stride: 5,
-      get: () => [Math.round(value(state[name]) * TICKS), state[name]],
-      set: (ticks) => ({ [name]: write(fraction(ticks, BigInt(TICKS))) }),
+    slider(name, label, ticks, {
+      stride: TICKS,
+      get: () => [ticksOf(state[name]), state[name]],
+      set: (ticks) => ({ [name]: atTick(ticks) }),
       shown,
     });
   const counter = (name, label, high, low, shown) =>
     slider(name, label, high, { low, get: () => [state[name], String(state[name])], set: (x) => ({ [name]: Number(x) }), shown }); // prettier-ignore
   const limits = model.get("limits");
   const rows = [
-    parameter("t", "t", uses("point", "levels", "halves", "tangents", "hodograph", "pieces", "frames")),
+    parameter("t", "t", uses("point", "levels", "halves", "tangents", "hodograph", "pieces", "frames", "spline")),
     parameter("a", "a", uses("part")),
     parameter("b", "b", uses("part")),
     counter("end", "circle at t =", 1, 0, uses("circle")),
     counter("raised", "elevations", limits.raised, 1, uses("elevated")),
     counter("depth", "halvings", limits.depth, 0, uses("halving")),
   ];
-  const play = button("▶", "play: t runs from 0 to 1", () => (playing ? pause() : start()));
+  const play = button("▶", "play: t runs from its start to its end", () => (playing ? pause() : start()));
   const back = button("−", "one level less", () => become({ level: Math.max(shownLevel() - 1, 0) }));
   const forth = button("+", "one level more", () => become({ level: shownLevel() + 1 < state.points.length - 1 ? shownLevel() + 1 : null }));
   const level = element("output");
@@ -256,23 +298,23 @@ function render({ model, el }) {
 
   const start = () => {
     remember();
-    const from = state.t === "1" ? 0 : value(state.t);
+    const from = (ticksOf(state.t) % ticks()) / ticks();
     playing = { began: performance.now() - from * SECONDS * 1000 };
-    const tick = (now) => {
+    const next = (now) => {
       if (!playing) return;
-      const ticks = Math.min(Math.round(((now - playing.began) / (SECONDS * 1000)) * TICKS), TICKS);
-      become({ t: write(fraction(BigInt(ticks), BigInt(TICKS))) }, { recorded: false });
-      if (ticks === TICKS) return pause();
-      playing.next = requestAnimationFrame(tick);
+      const tick = Math.min(Math.round(((now - playing.began) / (SECONDS * 1000)) * ticks()), ticks());
+      become({ t: atTick(tick) }, { recorded: false });
+      if (tick === ticks()) return pause();
+      playing.next = requestAnimationFrame(next);
     };
-    playing.next = requestAnimationFrame(tick);
+    playing.next = requestAnimationFrame(next);
     paint();
   };
   const pause = () => {
     if (!playing) return;
     cancelAnimationFrame(playing.next);
     playing = null;
-    become({ t: write(fraction(5n * BigInt(Math.round((value(state.t) * TICKS) / 5)), BigInt(TICKS))) }, { recorded: false }); // prettier-ignore
+    become({ t: atTick(TICKS * Math.round(ticksOf(state.t) / TICKS)) }, { recorded: false });
     paint();
   };
 
@@ -280,10 +322,9 @@ function render({ model, el }) {
   const paint = () => {
     const marks = [...(model.get("answer").marks ?? []), ...scene(state)];
     const two = marks.some((m) => m.frame);
-    const [height, rectangles] = layout(width, view(), two, size(), model.get("vertical"));
-    const frames = rectangles.map((rectangle, i) => i ? frameOf(rectangle, vectorView(marks), size()) : frameOf(rectangle, view(), size(), model.get("vertical")),
-    );
-    frame = frames[0];
+    const [height, rectangles] = layout(width, view(), two, size(), model.get("vertical"), !!state.knots);
+    const second = () => (state.knots ? [lineView(state, model.get("ends")), size(), true] : [vectorView(marks), size()]);
+    frames = rectangles.map((rectangle, i) => frameOf(rectangle, ...(i ? second() : [view(), size(), model.get("vertical")])));
     root.classList.toggle("bt-projector", model.get("projector"));
     if (svg.getAttribute("viewBox") !== `0 0 ${width} ${height}`) { // what is set anew is laid out anew, with the page
       svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
@@ -301,8 +342,9 @@ function render({ model, el }) {
 
   const paintHandles = () => {
     const wanted = handles();
-    const places = wanted.map(({ at }) => frame.place(at.map(value)));
-    const [points, ends] = [places.slice(0, state.points.length), places.slice(state.points.length)];
+    const places = wanted.map(placeOf);
+    const of = (one) => places.filter((_, i) => wanted[i].list === one);
+    const [points, ends] = [of("points"), of("line")];
     const names = beside(points, size());
     if (ends.length) names.push(...acrossLine(ends, [...points, ...names], size()));
     const focused = above.querySelector(":focus")?.dataset.handle;
@@ -314,24 +356,26 @@ function render({ model, el }) {
         class: "bt-handle",
         tabindex: 0,
         role: "slider",
-        "aria-label": `${list === "points" ? "control point" : "point of the line"} ${name}`,
-        "aria-valuenow": value(at[1]),
-        "aria-valuetext": `(${at.join(", ")})`,
+        "aria-label": `${KINDS[list]} ${name}`,
+        "aria-valuenow": value(list === "knots" ? at[0] : at[1]),
+        "aria-valuetext": list === "knots" ? at[0] : `(${at.join(", ")})`,
       };
-      return ["g", attributes, [word(names[i], name, size()), circle("bt-ring", 12), circle("bt-dot", 7)]];
+      const spots = list === "knots" ? [circle("bt-ring", 9), circle("bt-dot", 5.5)] : [circle("bt-ring", 12), circle("bt-dot", 7)];
+      return ["g", attributes, names[i] ? [word(names[i], name, size()), ...spots] : spots];
     })); // prettier-ignore
     const stays = focused && above.querySelector(`[data-handle="${focused}"]`);
     if (stays && !stays.matches(":focus")) stays.focus({ preventScroll: true });
   };
   let controlled = "";
   const paintControls = () => {
-    const { points, line, ...settings } = state;
-    const key = JSON.stringify([settings, points.length, history.length > 0, !!playing, model.get("projector")]);
+    const { points, line, knots, ...settings } = state;
+    const key = JSON.stringify([settings, points.length, knots, history.length > 0, !!playing, model.get("projector")]);
     if (key === controlled) return;
     controlled = key;
-    for (const { box, input, output, get, shown } of rows) {
+    for (const { box, input, output, get, shown, limit } of rows) {
       box.hidden = !shown();
       if (box.hidden) continue;
+      if (limit) input.max = limit();
       const [ticks, text] = get();
       input.step = input === rows[0].input && playing ? 1 : input.step;
       input.value = ticks;
@@ -347,6 +391,7 @@ function render({ model, el }) {
     forth.disabled = state.level === null;
     buttons.undo.disabled = !history.length;
     buttons.add.disabled = buttons.elevate.disabled = state.points.length >= most;
+    buttons.insert.disabled = !state.knots || state.points.length >= most || !inserted(state, state.t);
     buttons.remove.disabled = state.points.length <= 2;
     buttons.projector.setAttribute("aria-pressed", model.get("projector"));
     for (const [name, box] of boxes) box.checked = state.show.includes(name);
@@ -382,6 +427,7 @@ function render({ model, el }) {
   model.on("change:answer", answered);
   model.on("change:projector", paint);
   model.on("change:view", paint);
+  model.on("change:ends", paint);
   const resized = () => {
     const room = Math.max(Math.floor(picture.clientWidth), NARROWEST);
     if (room === width) return;
@@ -398,5 +444,6 @@ function render({ model, el }) {
     model.off("change:answer", answered);
     model.off("change:projector", paint);
     model.off("change:view", paint);
+    model.off("change:ends", paint);
   };
 }

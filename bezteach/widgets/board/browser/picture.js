@@ -7,15 +7,17 @@ const STEEP = 0.66;
 const BELOW = 20;
 const AWAY = 24;
 
-function layout(width, [x0, y0, x1, y1], beside, size, stretched) {
+function layout(width, [x0, y0, x1, y1], beside, size, stretched, line) {
   const margin = MARGIN * size;
-  const across = width < NARROW || !beside ? width : Math.round(0.62 * width);
+  const stacked = line || width < NARROW;
+  const across = stacked || !beside ? width : Math.round(0.62 * width);
   const steep = stretched ? STEEP : (y1 - y0) / (x1 - x0);
-  const height = Math.round(Math.min(Math.max(steep * (across - 2 * margin) + 2 * margin, 0.4 * across), 0.72 * across));
+  const high = line ? 0.5 : 0.72;
+  const height = Math.round(Math.min(Math.max(steep * (across - 2 * margin) + 2 * margin, 0.4 * across), high * across));
   const first = [0, 0, across, height];
   if (!beside) return [height, [first]];
-  const below = Math.round(0.7 * width);
-  if (width < NARROW) return [height + below, [first, [0, height, width, below]]];
+  const under = Math.round((line ? 0.36 : 0.7) * width);
+  if (stacked) return [height + under, [first, [0, height, width, under]]];
   return [height, [first, [across, 0, width - across, height]]];
 }
 

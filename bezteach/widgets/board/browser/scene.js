@@ -245,9 +245,10 @@ function spline(cubics, curve, inner) {
 
 export function scene(state) {
   const points = floats(state.points);
-  return Object.keys(PAINTED)
+  const marks = Object.keys(PAINTED)
     .filter((name) => state.show.includes(name))
     .flatMap((name) => PAINTED[name](points, state));
+  return state.knots ? [...knotLine(state), ...marks] : marks;
 }
 
 const nameOf = (letter, i) => letter + String(i).replace(/\d/g, (digit) => SUBSCRIPTS[digit]);

@@ -1,0 +1,16 @@
+"""The explorer of B-splines: a curve, and under it its knots and basis functions."""
+
+from ..board import Board
+
+LAYERS = ("span", "polygon", "spline", "breaks", "deboor", "functions")
+
+
+def explore_bspline(points, knots, t=None, **settings):
+    """A B-spline curve with its knots to move: what depends on what, and how the spans join.
+
+    ``points``: shape (n+1, 2), ``knots``: n+p+2 that do not decrease, for a degree p from 1 to 5, all exact; t in the
+    domain, in its middle if none is given. Further settings are those of ``Board``. ``ValueError`` names the rule that
+    points, knots or t break.
+    """
+    shown = ("span", "polygon", "spline", "breaks", "functions")
+    return Board(points, t, knots=knots, **{"show": shown, "offer": LAYERS} | settings)
