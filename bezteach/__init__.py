@@ -24,6 +24,7 @@ _MODULES = (
 _NUMERIC = (
     "bernstein",
     "box",
+    "bspline",
     "curvature",
     "de_casteljau",
     "derivative",
@@ -35,6 +36,7 @@ _NUMERIC = (
     "from_power",
     "hodograph",
     "intersections",
+    "joins",
     "lower",
     "polygon_gap",
     "roots",

@@ -4,8 +4,7 @@ Points are rows: (n+1, d) is a curve, (n+1,) one coordinate, (N, n+1, d) a batch
 ints and Fractions, and on SymPy expressions, and rejects bad input with a ValueError that names it.
 """
 
-from bezteach.numeric import bspline as bspline
-from bezteach.numeric import joins as joins
+from bezteach.numeric import bspline, joins
 from bezteach.numeric.basis import bernstein, from_power, to_power
 from bezteach.numeric.curve import de_casteljau, elevate, flatten, segment, split, subdivide
 from bezteach.numeric.derivatives import curvature, derivative, hodograph
@@ -19,6 +18,7 @@ from bezteach.numeric.roots import roots, sign_changes
 __all__ = [
     "bernstein",
     "box",
+    "bspline",
     "curvature",
     "de_casteljau",
     "derivative",
@@ -30,6 +30,7 @@ __all__ = [
     "from_power",
     "hodograph",
     "intersections",
+    "joins",
     "lower",
     "polygon_gap",
     "roots",
