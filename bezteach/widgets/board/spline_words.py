@@ -1,5 +1,7 @@
 """What a board says of a B-spline: its knots, what each span depends on, how the spans join, de Boor's triangle."""
 
+from itertools import pairwise
+
 import numpy as np
 
 from ...display import number, point
@@ -26,30 +28,30 @@ def spline_said(state):
 
 def breaks_said(state):
     """At each inner knot: the class that its multiplicity promises, and what the curve itself does there."""
-    rows = tuple(_join(state, knot, count) for knot, count in inner(state))
+    pieces, knots = bspline.to_bezier(exact_array(state.points), state.knots)
+    ends = [_derivatives(piece, length) for piece, length in zip(pieces, np.diff(knots), strict=True)]
+    joints = zip(inner(state), pairwise(ends), strict=True)
+    rows = tuple(_join(degree_of(state), *knot, left[1], right[0]) for knot, (left, right) in joints)
     return [Block("Joins (连续性) at the inner knots", rows or (("none: the curve is one span",),))]
 
 
-def _join(state, knot, count):
-    promised = degree_of(state) - count
+def _derivatives(piece, length):
+    """Of a Bézier piece over an interval of this length, the derivatives of order 0 to p, at both ends."""
+    levels = [piece]
+    for degree in range(len(piece) - 1, 0, -1):
+        levels.append(degree * np.diff(levels[-1], axis=0) / length)
+    return [[level[end] for level in levels] for end in (0, -1)]
+
+
+def _join(degree, knot, count, left, right):
+    promised = degree - count
     where = (f"t = {number(knot)}", times(count), f"C{promised} promised" if promised >= 0 else "nothing promised")
-    left, right = _sides(state, knot, count)
     jumps = [r for r, (before, after) in enumerate(zip(left, right, strict=True)) if (before != after).any()]
     if not jumps:
         return (*where, "here all derivatives agree")
     r = jumps[0]
     step = f"{PRIMES[r]} jumps by {point(right[r] - left[r])}"
     return (*where, f"a corner: {step}" if r == 1 and _corner(left[1], right[1]) else step)
-
-
-def _sides(state, knot, count):
-    """The derivatives of order 0 to p at a knot, from the left and from the right, each (p+1, 2)."""
-    last = max(i for i, other in enumerate(state.knots) if other == knot)
-    orders = range(degree_of(state) + 1)
-    return [
-        exact_array([bspline.derivative(state.points, state.knots, knot, r, span=k) for r in orders])
-        for k in (last - count, last)
-    ]
 
 
 def _corner(before, after):
