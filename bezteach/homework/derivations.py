@@ -1,0 +1,61 @@
+"""Derivations, line by line: from what is given to what is to be shown, each line equal to the one before."""
+
+from bezteach.parsing import InvalidAnswer
+from bezteach.proof import PROVED, REFUTED, check_derivation
+
+from .formulas import formula_of
+from .verdict import CORRECT, INVALID, OPEN, PARTLY, WRONG, Verdict
+
+MOST = 30  # lines
+SECONDS = 20.0
+
+
+def lines_of(answer, letters):
+    """The formulas of a derivation: a text of several lines, or a list of texts; a line may begin with its sign "=".
+
+    >>> from bezteach.symbolic import t
+    >>> lines_of('''(1 - t) + t
+    ... = 1''', {t})
+    [1, 1]
+
+    ``InvalidAnswer`` names the line.
+    """
+    texts = answer.splitlines() if type(answer) is str else answer
+    if type(texts) not in (list, tuple) or any(type(text) is not str for text in texts):
+        raise InvalidAnswer("a derivation is a text of several lines, or a list of texts")
+    texts = [text.strip() for text in texts if text.strip()]
+    if not 2 <= len(texts) <= MOST:
+        raise InvalidAnswer(f"a derivation has 2 to {MOST} lines, and this one has {len(texts)}")
+    return [_line(number, text, letters) for number, text in enumerate(texts, 1)]
+
+
+def _line(number, text, letters):
+    try:
+        return formula_of(text.removeprefix("=") if number > 1 else text, letters)
+    except InvalidAnswer as problem:
+        raise InvalidAnswer(f"line {number}: {problem}") from None
+
+
+def compared(lines, start, goal, ranges, least=1):
+    """The ``Verdict`` on a derivation of ``goal`` from ``start``, with ``least`` lines at least between the two.
+
+    CORRECT only if it begins and ends as asked, letter by letter, and every step is proved; OPEN if one of them could
+    not be decided.
+    """
+    if lines[0] != start:
+        return Verdict(WRONG, f"The first line is not what is given: begin with {start}.")
+    judgement = check_derivation(lines, given=ranges, budget=SECONDS)
+    wrong = judgement.first_wrong
+    if wrong is not None:
+        where = judgement.lines[wrong - 1].counterexample
+        return Verdict(PARTLY if wrong > 2 else WRONG, f"Line {wrong} does not follow from line {wrong - 1}: {where}.")
+    if judgement.status not in (PROVED, REFUTED):
+        told = next((line for line in judgement.lines[1:] if line.step is None or line.step.status != PROVED), None)
+        words = judgement.note if told is None else f"line {told.number}: {told.note or told.remark}"
+        return Verdict(INVALID if judgement.status == "INVALID" else OPEN, f"Not every step could be decided; {words}.")
+    if lines[-1] != goal:
+        return Verdict(PARTLY, f"Every line follows from the one before. Go on until the line is {goal}.")
+    between = {line for line in lines if line not in (start, goal)}
+    if len(between) < least:
+        return Verdict(PARTLY, f"True, but show why: at least {least} different line{'s' * (least != 1)} between.")
+    return Verdict(CORRECT, f"Right: each of the {len(lines) - 1} steps is proved.")
