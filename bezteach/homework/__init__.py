@@ -1,11 +1,28 @@
 """Homework: answers are read exactly and judged by the project's own computations and proofs.
 
 ``reading.py`` reads what a student gives; ``values.py``, ``formulas.py``, ``truth.py`` and ``derivations.py`` judge one
-kind of answer each, against what the project computes.
+kind of answer each, against what the project computes; ``kinds.py`` makes questions of them, ``sets/`` has those
+of each lesson, ``session.py`` is what a student calls.
 """
 
 from bezteach.parsing import InvalidAnswer, parse
 
+from .session import ask, check, hint, solution, start
 from .verdict import CORRECT, INVALID, OPEN, PARTLY, UNATTEMPTED, WRONG, Verdict
 
-__all__ = ["CORRECT", "INVALID", "OPEN", "PARTLY", "UNATTEMPTED", "WRONG", "InvalidAnswer", "Verdict", "parse"]
+__all__ = [
+    "CORRECT",
+    "INVALID",
+    "OPEN",
+    "PARTLY",
+    "UNATTEMPTED",
+    "WRONG",
+    "InvalidAnswer",
+    "Verdict",
+    "ask",
+    "check",
+    "hint",
+    "parse",
+    "solution",
+    "start",
+]

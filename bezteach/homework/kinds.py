@@ -1,0 +1,146 @@
+"""The kinds of questions: each function here makes one, from what is asked to how an answer to it is judged.
+
+A question's data, the student's own numbers, is a dictionary; ``text``, ``right`` and ``mistakes`` are functions of it.
+"""
+
+from collections.abc import Callable
+from fractions import Fraction
+from typing import NamedTuple
+
+from sympy import Rational, latex, sstr
+
+from bezteach.parsing import InvalidAnswer
+from bezteach.proof import prove
+
+from . import derivations, formulas, truth, values
+from .reading import is_blank
+from .verdict import CORRECT, INVALID, PARTLY, UNATTEMPTED, Verdict
+
+
+class Question(NamedTuple):
+    """What is asked (``text(data)``), how an answer is judged, what is right in words, and hints, the vaguest first.
+
+    ``apart(data)`` says whether the data can tell the right answer from every known mistake.
+    """
+
+    text: Callable
+    judge: Callable
+    solution: Callable
+    hints: tuple
+    apart: Callable = lambda data: True
+
+
+class Set(NamedTuple):
+    """The questions of one lesson by their short names, the book's data, and ``draw(chance)``, which draws others."""
+
+    book: dict
+    draw: Callable
+    questions: dict
+
+
+def judged(question, data, answer):
+    """The ``Verdict`` on any object as an answer."""
+    if is_blank(answer):
+        return Verdict(UNATTEMPTED, "Not answered yet.")
+    try:
+        return question.judge(data, answer)
+    except InvalidAnswer as problem:
+        return Verdict(INVALID, str(problem))
+
+
+def asks_value(kind, text, right, mistakes=lambda data: (), hints=()):
+    """A question for a number, a point, points or a matrix (``values.SHAPES``); mistakes are (value, feedback)."""
+
+    def judge(data, answer):
+        return values.compared(values.value_of(kind, answer), exact(right(data)), named(data))
+
+    def named(data):
+        return [(exact(value), feedback) for value, feedback in mistakes(data)]
+
+    def apart(data):
+        return all(values.same(exact(right(data)), value) is False for value, _ in named(data))
+
+    return Question(text, judge, lambda data: written(exact(right(data))), hints, apart)
+
+
+def exact(value):
+    """An array or number of the project's as nested tuples of Fractions."""
+    if hasattr(value, "__len__"):
+        return tuple(map(exact, value))
+    return Fraction(value) if isinstance(value, int | Fraction) else value
+
+
+def written(value):
+    """A value as a student can paste it.
+
+    >>> written(((0, Fraction(1, 3)),)), written(Fraction(2, 3))
+    ('[(0, Fraction(1, 3))]', 'Fraction(2, 3)')
+    """
+    if isinstance(value, tuple):
+        inside = ", ".join(map(written, value))
+        return f"[{inside}]" if value and isinstance(value[0], tuple) else f"({inside})"
+    fraction = Fraction(value)
+    return str(fraction) if fraction.denominator == 1 else f"Fraction({fraction.numerator}, {fraction.denominator})"
+
+
+def asks_formula(text, right, letters, ranges=None, mistakes=lambda data: (), hints=(), form=None):
+    """A question for a formula in ``letters``; ``form`` is (name, whether a formula has it), of ``formulas``."""
+
+    def judge(data, answer):
+        given = formulas.formula_of(answer, letters)
+        verdict = formulas.compared(given, right(data), ranges or {}, mistakes(data))
+        if verdict.status == CORRECT and form and not form[1](given):
+            return Verdict(PARTLY, f"This is equal, but it is not {form[0]}, as it was asked for.")
+        return verdict
+
+    return Question(text, judge, lambda data: sstr(right(data)), hints)
+
+
+def asks_truth(text, relation, ranges, hints=()):
+    """A question whether a relation holds for all letters in their ranges; the prover decides what is right."""
+
+    def verdict_of(data):
+        return prove(relation(data), given=ranges)
+
+    def judge(data, answer):
+        given = truth.truth_of(answer)
+        return truth.compared(
+            given, relation(data), lambda places: within(places, ranges), verdict_of(data).status == "PROVED"
+        )
+
+    def solution(data):
+        verdict = verdict_of(data)
+        return "True" if verdict.status == "PROVED" else f'(False, "{verdict.counterexample.point()}")'
+
+    return Question(text, judge, solution, hints)
+
+
+def within(places, ranges):
+    """Whether each letter that has a range is in it; an end may be a formula in other letters.
+
+    >>> from bezteach.symbolic import i, n
+    >>> within({n: Rational(2), i: Rational(3)}, {n: (1, 9), i: (0, n)})
+    False
+    """
+
+    def inside(value, bounds):
+        if not isinstance(bounds, tuple):
+            return value in bounds
+        low, high = (Rational(end).subs(places) if isinstance(end, int) else end.subs(places) for end in bounds)
+        return bool(low <= value) and bool(value <= high)
+
+    return all(inside(value, ranges[symbol]) for symbol, value in places.items() if symbol in ranges)
+
+
+def asks_derivation(text, start, goal, letters, ranges, least=1, hints=()):
+    """A question for a derivation of ``goal`` from ``start``, with so many lines between them at least."""
+
+    def judge(data, answer):
+        lines = derivations.lines_of(answer, letters)
+        return derivations.compared(lines, start(data), goal(data), ranges, least)
+
+    def solution(data):
+        steps = prove(start(data), goal(data), given=ranges).steps
+        return "\n".join(f"{latex(step.expression)}    ({step.reason})" for step in steps)
+
+    return Question(text, judge, solution, hints)
