@@ -118,6 +118,21 @@ def run_export(arguments):
     return run_export(arguments)
 
 
+def grade_arguments(parser):
+    """Declare what ``grade`` understands."""
+    parser.add_argument("paths", nargs="+", type=_path, metavar="PATH", help="notebooks, or folders with notebooks")
+    parser.add_argument("--csv", type=_path, metavar="FILE", help="write the table there, for a spreadsheet")
+    parser.add_argument("--jobs", type=_count, metavar="N", help="so many notebooks at a time (default: one a core)")
+
+
+def run_grade(arguments):
+    """Set up what is lacking, then grade homework, of which nothing is run."""
+    virtualenv.ready("", arguments.all)
+    from bezteach.homework.grading import run_grade
+
+    return run_grade(arguments)
+
+
 SOURCES = ("deck", "games", "notes", "transcript")
 COMMANDS = {
     "lab": Command("set up, and open the lessons in JupyterLab", run_lab, lab_arguments),
@@ -125,6 +140,7 @@ COMMANDS = {
     "prove": Command("prove the formulas of the course, or one of your own", run_prove, prove_arguments),
     "errata": Command("what the sources print wrongly, with counterexamples", run_errata, errata_arguments),
     "export": Command("write a draggable board as one page that needs no Python", run_export, export_arguments),
+    "grade": Command("grade students' notebooks, of which nothing is run", run_grade, grade_arguments),
 }
 
 
@@ -132,6 +148,12 @@ def _path(text):
     if not text.strip():
         raise argparse.ArgumentTypeError("the name is empty")
     return Path(text)
+
+
+def _count(text):
+    if not (text.isascii() and text.isdigit() and 1 <= int(text) <= 64):
+        raise argparse.ArgumentTypeError(f"{text!r} is no number from 1 to 64")
+    return int(text)
 
 
 def _port(text):
