@@ -7,6 +7,7 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import NamedTuple
 
+import numpy as np
 from sympy import Rational, latex, sstr
 
 from bezteach.parsing import InvalidAnswer
@@ -14,7 +15,7 @@ from bezteach.proof import prove
 
 from . import derivations, formulas, truth, values
 from .reading import is_blank
-from .verdict import CORRECT, INVALID, PARTLY, UNATTEMPTED, Verdict
+from .verdict import CORRECT, INVALID, PARTLY, UNATTEMPTED, WRONG, Verdict
 
 
 class Question(NamedTuple):
@@ -144,3 +145,24 @@ def asks_derivation(text, start, goal, letters, ranges, least=1, hints=()):
         return "\n".join(f"{latex(step.expression)}    ({step.reason})" for step in steps)
 
     return Question(text, judge, solution, hints)
+
+
+def asks_position(text, demands, solution, hints=()):
+    """A question for control points with properties, as a board prints them.
+
+    ``demands`` are (holds(data, points), what is said where it does not hold), points an array of Fractions, shape
+    (m, 2); ``solution(data)`` is one position that meets all of them.
+    """
+
+    def judge(data, answer):
+        points = values.value_of("points", answer)
+        if any(not isinstance(number, Fraction) for point in points for number in point):
+            raise InvalidAnswer("positions are exact: write fractions, such as 1/3, for decimal numbers and roots")
+        if len(points[0]) != 2:
+            raise InvalidAnswer("the board is a plane: two numbers for each point")
+        lacking = [words for holds, words in demands if not holds(data, np.array(points, dtype=object))]
+        if not lacking:
+            return Verdict(CORRECT, "Right: all that was asked for holds.")
+        return Verdict(WRONG if len(lacking) == len(demands) else PARTLY, lacking[0])
+
+    return Question(text, judge, lambda data: written(exact(solution(data))), hints)
