@@ -1,4 +1,4 @@
-"""By hand, for the book's numbers: right answers in several forms, then wrong ones and a piece of what is said to them."""
+"""By hand, for the book's numbers: right answers in several forms, then wrong ones and some of what is said to each."""
 
 from fractions import Fraction as F
 
