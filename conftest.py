@@ -9,6 +9,11 @@ import copy
 import os
 
 import pytest
+from hypothesis import HealthCheck, settings
+
+# How fast a machine is, is the benchmark's business. The parent is what Hypothesis takes here, another one in CI.
+settings.register_profile("bezteach", parent=settings(), deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("bezteach")
 
 
 @pytest.hookimpl(wrapper=True)

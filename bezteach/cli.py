@@ -128,7 +128,7 @@ def grade_arguments(parser):
 def run_grade(arguments):
     """Set up what is lacking, then grade homework, of which nothing is run."""
     virtualenv.ready("", arguments.all)
-    from bezteach.homework.grading import run_grade
+    from bezteach.grading import run_grade
 
     return run_grade(arguments)
 

@@ -11,10 +11,10 @@ from typing import NamedTuple
 from bezteach.setup.progress import Problem, say, teller
 from bezteach.setup.writing import write
 
-from .kinds import judged
-from .sets import QUESTIONS, SETS, data_of
-from .submission import LARGEST, NotRead, submission
-from .verdict import INVALID, UNATTEMPTED, Verdict
+from .homework.kinds import judged
+from .homework.sets import QUESTIONS, SETS, data_of
+from .homework.submission import LARGEST, NotRead, submission
+from .homework.verdict import INVALID, UNATTEMPTED, Verdict
 
 UNREAD = "UNREAD"  # a file that is no notebook
 SUFFIX = ".ipynb"

@@ -7,7 +7,7 @@ from fractions import Fraction as F
 import pytest
 
 from bezteach import cli
-from bezteach.homework.grading import graded
+from bezteach.grading import graded
 from bezteach.homework.sets import SETS
 from bezteach.homework.submission import NotRead, submission
 
