@@ -39,6 +39,7 @@ _NUMERIC = (
     "joins",
     "lower",
     "polygon_gap",
+    "rational",
     "roots",
     "sample",
     "segment",

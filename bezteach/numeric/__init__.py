@@ -4,7 +4,7 @@ Points are rows: (n+1, d) is a curve, (n+1,) one coordinate, (N, n+1, d) a batch
 ints and Fractions, and on SymPy expressions, and rejects bad input with a ValueError that names it.
 """
 
-from bezteach.numeric import bspline, joins
+from bezteach.numeric import bspline, joins, rational
 from bezteach.numeric.basis import bernstein, from_power, to_power
 from bezteach.numeric.curve import de_casteljau, elevate, flatten, segment, split, subdivide
 from bezteach.numeric.derivatives import curvature, derivative, hodograph
@@ -33,6 +33,7 @@ __all__ = [
     "joins",
     "lower",
     "polygon_gap",
+    "rational",
     "roots",
     "sample",
     "segment",

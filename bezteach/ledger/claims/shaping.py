@@ -1,18 +1,14 @@
-"""What knots and control points do to the shape of a B-spline curve, and what needs weights.
+"""What knots and control points do to the shape of a B-spline curve.
 
 Degree p, knots t_0, ..., t_{n+p+1}, control points b_0, ..., b_n.
 """
 
 from fractions import Fraction
 
-from ..claim import Computed, Known, argued, claim
-from ..forms import curve_of
+from ..claim import Computed, Known, argued
 from ..knots import point
 from ..planar import cross, minus
 from .insertion import CLAMPED_CUBIC, ZIGZAG
-
-WEIGHT = curve_of([1, 1, 2])
-X, Y = curve_of([1, 1, 0]), curve_of([0, 1, 2])  # (1, 0), (1, 1), (0, 1), each times its weight
 
 
 def touches(knot):
@@ -81,11 +77,5 @@ CLAIMS = [
         Known("It lies in their hull.", "bspline/hull"),
         Computed("A quadratic with three points on a line, and the next span.", straight_with_points_on_a_line),
         Computed("A multiple knot makes nothing straight.", multiple_knots_do_not_straighten),
-    ),
-    claim(
-        "rational/circle",
-        "the points (1, 0), (1, 1), (0, 1) with the weights 1, 1, 2: x^2 + y^2 = w^2, (x/w, y/w) is on the unit circle",
-        (X**2 + Y**2, WEIGHT**2),
-        twins=[(X**2 + curve_of([0, 1, 1]) ** 2, curve_of([1, 1, 1]) ** 2), (X**2 + Y**2, curve_of([1, 2, 2]) ** 2)],
     ),
 ]
