@@ -47,14 +47,18 @@ function halved(points, depth) {
   return pieces;
 }
 
+function turnsLeft(p, q, r) {
+  const [one, other] = [subtract(q, p), subtract(r, p)];
+  return cross(one, other) > ROUNDING * Math.hypot(...one) * Math.hypot(...other);
+}
+
 function hull(points) {
   const ordered = [...new Map(points.map((p) => [p.join(), p])).values()].sort((p, q) => p[0] - q[0] || p[1] - q[1]);
   if (ordered.length < 3) return ordered;
   const chain = (list) => {
     const corners = [];
     for (const point of list) {
-      while (corners.length > 1 && cross(subtract(corners.at(-1), corners.at(-2)), subtract(point, corners.at(-2))) <= 0)
-        corners.pop();
+      while (corners.length > 1 && !turnsLeft(...corners.slice(-2), point)) corners.pop();
       corners.push(point);
     }
     return corners.slice(0, -1);
