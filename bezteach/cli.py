@@ -133,6 +133,21 @@ def run_grade(arguments):
     return run_grade(arguments)
 
 
+def homework_arguments(parser):
+    """Declare what ``homework`` understands."""
+    parser.add_argument("folder", nargs="?", type=_path, metavar="DIR", help="where the blank notebooks go")
+    parser.add_argument("--name", metavar="NAME", help="with numbers of this student's own (default: the book's)")
+    parser.add_argument("--key", metavar="SET", help="print the teacher's answers to a set instead")
+
+
+def run_homework(arguments):
+    """Set up what is lacking, then write blank homework, or print the answers to it."""
+    virtualenv.ready("", arguments.all)
+    from bezteach.handing_out import run_homework
+
+    return run_homework(arguments)
+
+
 SOURCES = ("deck", "games", "notes", "transcript")
 COMMANDS = {
     "lab": Command("set up, and open the lessons in JupyterLab", run_lab, lab_arguments),
@@ -140,6 +155,7 @@ COMMANDS = {
     "prove": Command("prove the formulas of the course, or one of your own", run_prove, prove_arguments),
     "errata": Command("what the sources print wrongly, with counterexamples", run_errata, errata_arguments),
     "export": Command("write a draggable board as one page that needs no Python", run_export, export_arguments),
+    "homework": Command("write blank homework, or print the teacher's answers", run_homework, homework_arguments),
     "grade": Command("grade students' notebooks, of which nothing is run", run_grade, grade_arguments),
 }
 

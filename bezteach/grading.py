@@ -13,12 +13,12 @@ from bezteach.setup.writing import write
 
 from .homework.kinds import judged
 from .homework.sets import QUESTIONS, SETS, data_of
+from .homework.student import student_of
 from .homework.submission import LARGEST, NotRead, submission
 from .homework.verdict import INVALID, UNATTEMPTED, Verdict
 
 UNREAD = "UNREAD"  # a file that is no notebook
 SUFFIX = ".ipynb"
-LONGEST_NAME = 60
 
 
 class Grade(NamedTuple):
@@ -46,17 +46,15 @@ def graded(path):
     sets = {QUESTIONS[id][0] for id in found.answers if id in QUESTIONS}
     if not sets:
         return [Grade(path.name, found.student or "", "", UNREAD, "it has no answer to a question of the homework")]
-    student = _student(found.student)
+    try:
+        student = None if found.student is None else student_of(found.student)
+    except ValueError as problem:
+        return [Grade(path.name, "", "", UNREAD, str(problem))]
     wanted = [f"{name}/{short}" for name in SETS if name in sets for short in SETS[name].questions]
     grades = [Grade(path.name, student or "", id, *_verdict(id, student, found.answers)) for id in wanted]
     return grades + [
         Grade(path.name, student or "", str(id)[:80], INVALID, "there is no such question") for id in strange
     ]
-
-
-def _student(name):
-    """The name as ``start`` has it; what is no name stands for the book's numbers."""
-    return " ".join(name.lower().split()) if name and name.strip() and len(name) <= LONGEST_NAME else None
 
 
 def _verdict(id, student, answers):

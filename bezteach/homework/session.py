@@ -5,9 +5,9 @@ from difflib import get_close_matches
 from .kinds import judged
 from .reading import is_blank
 from .sets import QUESTIONS, data_of
+from .student import student_of
 
 MARKS = {"CORRECT": "✓", "PARTLY": "◐", "WRONG": "✗", "INVALID": "?", "UNATTEMPTED": "…", "OPEN": "?"}
-LONGEST = 60  # letters of a name
 _session = {"student": None, "tried": set(), "hints": {}}
 
 
@@ -21,10 +21,9 @@ def start(name=None):
     >>> start()
     The book's numbers.
     """
-    if name is not None and (type(name) is not str or not name.strip() or len(name) > LONGEST):
-        raise ValueError(f'a name is a text of 1 to {LONGEST} letters, such as "Ada"')
-    _session.update(student=name and " ".join(name.lower().split()), tried=set(), hints={})
-    print("The book's numbers." if name is None else f"The numbers of {_session['student']}.")
+    student = None if name is None else student_of(name)
+    _session.update(student=student, tried=set(), hints={})
+    print("The book's numbers." if student is None else f"The numbers of {student}.")
 
 
 def ask(id):

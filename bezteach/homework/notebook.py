@@ -1,0 +1,55 @@
+"""A set of homework as a blank notebook, and the teacher's answers to it."""
+
+import json
+
+from .sets import QUESTIONS, SETS, data_of
+
+KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
+INTRODUCTION = """# Homework {name}
+
+Put your answer in the place of the three dots and run the cell. A number is `2`, `-5/3` or `Fraction(1, 3)`, a point \
+`(1/2, 3)`, a list of points `[(0, 0), (1/2, 1)]`; a formula stands in quotes, `"2t(1 - t)"`. Write the answer itself \
+into the call: it is also read without running the notebook.
+
+`hint("...")` gives one more hint each time, `solution("...")` the answer once you have tried."""
+
+
+def notebook(name, student=None):
+    """The text of a blank notebook of a set, with this student's numbers, or the book's.
+
+    >>> book = json.loads(notebook("08-splitting", "Ada"))
+    >>> print(book["cells"][1]["source"])
+    from fractions import Fraction
+    <BLANKLINE>
+    from bezteach.homework import ask, check, hint, solution, start
+    <BLANKLINE>
+    start("Ada")
+    """
+    called = "" if student is None else json.dumps(student, ensure_ascii=False)
+    imports = "from fractions import Fraction\n\nfrom bezteach.homework import ask, check, hint, solution, start\n\n"
+    cells = [_markdown(INTRODUCTION.format(name=name)), _code(f"{imports}start({called})")]
+    for number, short in enumerate(SETS[name].questions, 1):
+        cells += [_code(f'ask("{name}/{short}")'), _code(f'check("{name}/{short}", ...)', f"question-{number}")]
+    book = {
+        "cells": [cell | {"id": cell.get("id", f"cell-{place}")} for place, cell in enumerate(cells)],
+        "metadata": {"kernelspec": KERNEL},
+        "nbformat": 4,
+        "nbformat_minor": 5,
+    }
+    return json.dumps(book, ensure_ascii=False, indent=1) + "\n"
+
+
+def _markdown(source):
+    return {"cell_type": "markdown", "metadata": {}, "source": source}
+
+
+def _code(source, id=None):
+    cell = {"cell_type": "code", "execution_count": None, "metadata": {}, "outputs": [], "source": source}
+    return cell if id is None else cell | {"id": id}
+
+
+def key(name, student=None):
+    """The teacher's answers to a set, question by question: what is asked, and what is right."""
+    data = data_of(name, student)
+    mine = [(id, question) for id, (own, question) in QUESTIONS.items() if own == name]
+    return "\n\n".join(f"{id}\n  {question.text(data)}\n  = {question.solution(data)}" for id, question in mine)
