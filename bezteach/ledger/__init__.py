@@ -76,16 +76,22 @@ def proof(id):
     return _proof(judge(id))
 
 
-def slip(source, id):
-    """The slip in what a source prints at a claim; ``ValueError`` if it prints it rightly.
+def slip(source, id, place=None):
+    """The slip in what a source prints at a claim, the first of several or that in this place.
 
     >>> slip("deck", "basis/recursion/proof").kind
     'refuted'
+    >>> slip("transcript", "bspline/corner", "multiple knots, corners").kind
+    'refuted'
+
+    ``ValueError`` if it prints it rightly, and, with a place, names those where it does not.
     """
-    found = [row.slip for row in READINGS[source] if row.claim == id and row.slip]
+    found = {row.place: row.slip for row in READINGS[source] if row.claim == id and row.slip}
     if not found:
         raise ValueError(f"{source} has no slip at {id!r}")
-    return found[0]
+    if place not in (None, *found):
+        raise ValueError(f"{source} has no slip at {id!r} in {place!r}: there is {'; '.join(found)}")
+    return next(iter(found.values())) if place is None else found[place]
 
 
 def errata():
@@ -98,7 +104,7 @@ def show_errata(source, kind):
     return errata_shown(slip for slip in _errata.errata({source: READINGS[source]}, CLAIMS) if slip.slip.kind == kind)
 
 
-def show_slip(source, id):
+def show_slip(source, id, place=None):
     """What a source prints wrongly at a claim, and why it will not do, to look at; ``ValueError`` as in ``slip``.
 
     >>> show_slip("games", "joins/g1")
@@ -107,7 +113,7 @@ def show_slip(source, id):
       fails    P_{n-1} = (1, 0), P_n = Q_0 = (0, 0), Q_1 = (1, 0) are on one line, and the tangent turns round: \
 P_n must lie strictly between the two others
     """
-    wrong = slip(source, id)
+    wrong = slip(source, id, place)
     rows = [row for row in READINGS[source] if row.slip is wrong]
     return erratum_shown(next(_errata.errata({source: rows}, CLAIMS)))
 

@@ -229,3 +229,16 @@ def test_the_counts_in_the_readme_are_those_of_the_ledger():
     results = [ledger.judge(id) for id in ledger.matching()]
     text = (Path(ledger.__file__).parents[2] / "README.md").read_text(encoding="utf-8")
     assert written_into(text, summary(results, ledger.READINGS, ledger.errata())) == text
+
+
+def test_of_several_slips_at_a_claim_the_place_chooses():
+    first, second = (
+        ledger.slip("transcript", "bspline/corner", f"multiple knots, {what}") for what in ("p times", "corners")
+    )
+    assert first is ledger.slip("transcript", "bspline/corner") and first is not second
+    with pytest.raises(
+        ValueError, match="no slip at 'bspline/corner' in 'knots': there is multiple knots, p times; mult"
+    ):
+        ledger.slip("transcript", "bspline/corner", "knots")
+    with pytest.raises(ValueError, match="deck has no slip at 'basis/unity'"):
+        ledger.slip("deck", "basis/unity")
