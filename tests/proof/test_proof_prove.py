@@ -221,6 +221,9 @@ def test_the_budget_is_kept(claim):
         verdict.replay()
 
 
+UNIT = ", ".join(f"0 <= {letter} <= 1" for letter in "stuvwxyz")
+
+
 @pytest.mark.parametrize(
     ("text", "given", "statuses"),
     [
@@ -238,6 +241,10 @@ def test_the_budget_is_kept(claim):
         ("(i+j+k+l+m+n+p+q+r+10)! >= (i+j+k+l+m+n+p+q+r)! (i+j+k+l+m+n+p+q)", "", (PROVED, UNDECIDED)),
         ("diff(t^200 (1-t)^200, t, 200) = diff((1-t)^200 t^200, t, 200)", "", (PROVED, CHECKED, UNDECIDED)),
         ("i*j+k*l+m*n+p*q+r^2 >= 0", ", ".join(f"{letter}<=20" for letter in "ijklmnpqr"), (PROVED, UNDECIDED)),
+        # Each real symbol multiplies the number of the coefficients that are looked at.
+        ("(s+t+u+v+w+x+y+z)^2 + 1 > s+t+u+v+w+x+y+z", UNIT, (PROVED, UNDECIDED)),
+        ("s+t+u+v+w+x+y+z+1 > (s+t+u+v+w+x+y+z)/9 - s*t", UNIT, (PROVED, UNDECIDED)),
+        ("1/((s+t+u+v+w+x+y+z)^2+1) = (s+1)/(s+1)/((s+t+u+v+w+x+y+z)^2+1)", UNIT, (PROVED, CHECKED, UNDECIDED)),
     ],
 )
 def test_no_step_takes_longer_than_the_budget(text, given, statuses):

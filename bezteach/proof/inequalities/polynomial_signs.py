@@ -6,7 +6,7 @@ roots, of any other polynomial from its Bernstein coefficients, or from what the
 
 from functools import lru_cache
 from itertools import combinations, islice
-from math import comb
+from math import comb, prod
 
 from sympy import (
     Add,
@@ -27,6 +27,7 @@ from .sign_sets import ANY, NOT_NEGATIVE, POSITIVE, ZERO, product, total
 
 HIGHEST, MOST_SYMBOLS_TIMES_DEGREE, MOST_REALS = 40, 24, 2
 MOST_CHOICES = 500  # of conditions that are taken for coordinates
+MOST_POLYNOMIALS = 500  # coefficients of coefficients: each real symbol multiplies their number
 LARGEST = 10**60  # of a number: SymPy's factoring takes minutes with hundreds of digits
 
 
@@ -46,28 +47,37 @@ def of_rational(expr, region):
     return ANY if 0 in below else product(_of_polynomial(numerator, region), below)
 
 
-def _of_polynomial(expr, region):
+def _of_polynomial(expr, region, most_reals=MOST_REALS):
     expr = expand(expr)
     if expr.is_Rational:
         return frozenset({(expr.p > 0) - (expr.p < 0)})
     content, factors = Poly(expr, *sorted(expr.free_symbols, key=str), domain="QQ").factor_list()
     found = [_of_polynomial(content, region)]
     for factor, times in factors:
-        once = _of_irreducible(factor.exclude().clear_denoms()[1], region)
+        once = _of_irreducible(factor.exclude().clear_denoms()[1], region, most_reals)
         found.append(frozenset(sign**times for sign in once))
     return product(*found)
 
 
-def _of_irreducible(poly, region):
+def _of_irreducible(poly, region, most_reals):
     expr, reals = poly.as_expr(), [symbol for symbol in poly.gens if symbol in region.reals]
     if not reals:
         return of_form(expr, region) if poly.total_degree() == 1 else _by_slack(expr, region)
     if len(poly.gens) == 1:
         return _by_roots(poly, region.reals[poly.gen])
-    result = ANY
-    for symbol in sorted(reals, key=poly.degree)[:MOST_REALS]:
-        result &= _by_bernstein_coefficients(poly, symbol, region)
+    result, tried = ANY, _reals_tried(poly, reals, region, most_reals)
+    for symbol in sorted(reals, key=poly.degree)[:tried]:
+        result &= _by_bernstein_coefficients(poly, symbol, region, tried)
     return result
+
+
+def _reals_tried(poly, reals, region, most):
+    """By how many of its real symbols a polynomial is taken apart, and each of its coefficients again: ``most`` or
+    fewer, so that there are not too many coefficients in the end.
+    """
+    ends = [(region.reals[symbol].start, region.reals[symbol].end) for symbol in reals]
+    counts = [(poly.degree(s) + 1) * (1 + (end == (-oo, oo))) for s, end in zip(reals, ends, strict=True)]
+    return next((tried for tried in range(most, 0, -1) if prod(tried * c for c in counts) <= MOST_POLYNOMIALS), 0)
 
 
 def of_form(form, region):
@@ -96,7 +106,7 @@ def _by_roots(poly, interval):
     return _of_polynomial(poly.eval(inner), None) | (ZERO if zero else frozenset())
 
 
-def _by_bernstein_coefficients(poly, symbol, region):
+def _by_bernstein_coefficients(poly, symbol, region, most_reals):
     """On [a, b] the polynomial is the sum of its coefficients times B's; on [a, oo) of others times powers of t - a."""
     interval, expr, s = region.reals[symbol], poly.as_expr(), Dummy("s")
     low, high = interval.start, interval.end
@@ -113,23 +123,23 @@ def _by_bernstein_coefficients(poly, symbol, region):
             Add(*[Rational(comb(place, k), comb(degree, k)) * powers[k] for k in range(place + 1)])
             for place in range(degree + 1)
         ]
-        found = _unless_any(weights, region)
+        found = _unless_any(weights, region, most_reals)
         at_ends = ([] if interval.left_open else [found[0]]) + ([] if interval.right_open else [found[-1]])
         return total(found).union(*at_ends)
     result = frozenset()
     start = low if low.is_finite else high if high.is_finite else S.Zero
     for direction in (1, -1):
         if (high if direction == 1 else low).is_infinite:
-            found = _unless_any(along(start + direction * s), region)
+            found = _unless_any(along(start + direction * s), region, most_reals)
             result |= total(found) | (found[0] if start in interval else frozenset())
     return result
 
 
-def _unless_any(polynomials, region):
+def _unless_any(polynomials, region, most_reals):
     """The signs of each; no more of them once their sum may have any sign."""
     found = []
     for polynomial in polynomials:
-        found.append(_of_polynomial(polynomial, region))
+        found.append(_of_polynomial(polynomial, region, most_reals))
         if total(found) == ANY:
             return [ANY]
     return found
