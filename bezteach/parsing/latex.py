@@ -21,7 +21,10 @@ def command(grammar):
         grammar.count(token.position, root=True)
         if grammar.sees("["):
             raise grammar.wrong("only square roots are written so: write t^(1/3) for others")
+        in_brackets = grammar.sees("{", "(")
         value, position = _argument(grammar, token.text, split=False)
+        if not in_brackets and grammar.sees("^", "!"):
+            raise grammar.wrong("is this below the root or beside it? Write sqrt(t^2) or sqrt(t)^2")
         return power(value, Rational(1, 2), position)
     if token.text == "frac" and grammar.sees("{") and grammar.tokens[grammar.index + 1].text == "d":
         grammar.advance()
@@ -82,6 +85,8 @@ def big_operator(grammar, rule, position):
     if not is_differential(grammar.token):
         raise grammar.wrong(f"dt is missing at the end of the integral: write {example}")
     letter = _differential(grammar, example)
+    if grammar.sees("^", "!"):
+        raise grammar.wrong("does this belong to the integral? Put all of it in brackets, up to dt")
     return integral_over(position, expression(*body), [[letter, *lower, upper]])
 
 

@@ -172,6 +172,8 @@ READ = {
     r"\binom{n}{i}": binomial(n, i),
     r"C_n^i + C_{n-1}^{i}": binomial(n, i) + binomial(n - 1, i),
     r"\sqrt{2} + \sqrt2 + √3 + √(t+1)": 2 * sqrt(2) + sqrt(3) + sqrt(t + 1),
+    r"\sqrt{t}^2 + √(3)²": t + 3,
+    r"(\int_0^1 t dt)^2": Integral(t, (t, 0, 1)) ** 2,
     r"2 \cdot t \times u": 2 * t * u,
     r"\left(1-t\right)^{n-i}": (1 - t) ** (n - i),
     r"\bigl[ 1-t \bigr] \, t \quad": (1 - t) * t,
@@ -459,6 +461,12 @@ REFUSED = [
     (r"\frac", 6, r"\frac{1}{2}"),
     (r"\binom(n,i)", 7, r"\binom{n}{i}"),
     (r"\sqrt[3]{t}", 6, "t^(1/3)"),
+    ("√t²", 3, "below the root or beside it"),  # it is t or |t|
+    (r"\sqrt t^2", 8, "below the root or beside it"),
+    (r"\sqrt n!", 8, "below the root or beside it"),
+    (r"\int_0^1 t dt^2", 14, "belong to the integral"),  # it is 2/3 by t^2, and 1/4 as a square
+    ("∫_0^1 t dt²", 11, "belong to the integral"),
+    (r"\int_0^1 t dt!", 14, "belong to the integral"),
     (r"\vec{ab}", 1, "one letter"),
     (r"\sum_i^n i", 6, r"\sum_{i=0}^{n}"),
     (r"\sum_{i=0} i", 1, "limits are missing"),
