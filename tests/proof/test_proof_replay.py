@@ -27,6 +27,7 @@ from bezteach.proof.certificate import (
 from bezteach.proof.errors import ReplayFailed
 from bezteach.proof.fixed import by_cases
 from bezteach.proof.inequalities.signs import by_signs
+from bezteach.proof.replaying.alike import alike
 from bezteach.proof.replaying.cover import check_covered
 from bezteach.proof.replaying.replay import check_certificate, replay_proof
 from bezteach.proof.verdict import Proof, verdict_of
@@ -56,6 +57,17 @@ def caught(found, certificate, of=None):
     with pytest.raises(ReplayFailed) as error:
         bare(found, certificate, of)
     return str(error.value)
+
+
+def test_a_name_that_is_bound_twice_is_told_from_another():
+    """The limits of the inner one of two sums over k, and a sum over j around them: j and k are not alike."""
+    limits = ((j, 0, 2), (k, 0, 3), (k, 0, n))
+    one, other = Sum(k, *limits), Sum(j, *limits)
+    assert not alike(one, other) and alike(one, Sum(r, (i, 0, 2), (r, 0, 3), (r, 0, n)))
+    far = {n: (6000, oo)}  # where the sums have too many terms to be looked at
+    first, second = prove(one, 18 * (n + 1), given=far), prove(18 * (n + 1), 18 * n + 18, given=far)
+    false = first.statement._replace(lhs=other, rhs=18 * n + 18)
+    assert caught(first, Through((first, second)), of=false)
 
 
 @pytest.mark.parametrize("name", CLAIMS)

@@ -44,5 +44,6 @@ def _of_binder(expr, bound):
 
 
 def _with(bound, symbols):
-    """A number for each bound name: how many were bound before it."""
-    return bound | {symbol: ("bound", len(bound) + place) for place, symbol in enumerate(symbols)}
+    """A number for each bound name, larger than those of all that were bound before it: a name may be bound again."""
+    first = 1 + max((number for _, number in bound.values()), default=-1)
+    return bound | {symbol: ("bound", number) for number, symbol in enumerate(symbols, first)}
