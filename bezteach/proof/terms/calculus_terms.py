@@ -23,7 +23,7 @@ def derivative(terms, variable, count, conditions):
     for _ in range(int(count)):
         terms = [derived for term in terms for derived in _once(term, variable, conditions)]
         work += sum(term.coefficient.count_ops() for term in terms)
-        if len(terms) > MOST_TERMS or work > 4 * MOST:
+        if len(terms) > MOST_TERMS or work > MOST:
             raise Failure("a derivative with too many terms")
     return terms
 
