@@ -8,6 +8,7 @@ from time import perf_counter
 import pytest
 from proof_claims import given, mutants
 from sympy import (
+    Add,
     Derivative,
     Ge,
     Gt,
@@ -15,6 +16,7 @@ from sympy import (
     Interval,
     Le,
     Lt,
+    Mul,
     Rational,
     S,
     Sum,
@@ -234,6 +236,14 @@ def test_an_integral_whose_limit_is_undefined_far_away_has_no_sign_there():
     far = Integral(x, (x, 0, 1 / (n - 20)))
     assert by_signs(claim(Ge, far + t, far, {t: UNIT}), Budget(5)) is None
     assert by_signs(claim(Ge, far * B(n + 1, n, t), 0, {t: UNIT}), Budget(5)) is None
+
+
+def test_an_index_that_only_seems_to_move_sums_no_part_of_all():
+    """k - (k - i) is i, so that from 50 to n = 70 the sum is 21 B(25, 70, t), which is 2 in the middle."""
+    still, turned = Add(k, Mul(-1, k - i, evaluate=False), evaluate=False), n + i - k
+    ranges = {n: (50, oo), i: (20, 25), t: UNIT}
+    assert by_signs(claim(Le, Sum(B(still, n, t), (k, 50, n)), 1, ranges), Budget(5)) is None
+    assert by_signs(claim(Le, Sum(B(turned, n, t), (k, 50, n)), 1, ranges), Budget(5)).method == "bounds"
 
 
 def test_what_may_have_any_sign_is_shown_beside_a_factor_that_is_0():

@@ -7,6 +7,7 @@ from bezteach.symbolic import B, Step, k, n, t
 from ..certificate import ByBounds, ByPartOfSum, Lemma
 from ..equations.algebra import by_algebra
 from ..statement import statement as stated
+from ..terms.linear import coefficients
 from ..terms.terms import Failure
 from .factors import against_zero, why
 from .inequality import BINDERS, difference_of, is_whole
@@ -66,7 +67,8 @@ def bounds_of(expr, region):
         return Interval(0, 1, found == POSITIVE, _is_below_one(*expr.args, region)), reason
     if isinstance(expr, Sum) and isinstance(expr.function, B) and len(expr.limits) == 1:
         (index, n, x), k = expr.function.args, expr.limits[0][0]
-        if k not in n.free_symbols | x.free_symbols and index.coeff(k) in (1, -1) and _is_share(n, x, region):
+        slope = (coefficients(index) or {}).get(k)  # k - (k - i) is i, whatever SymPy reads off before it expands
+        if k not in n.free_symbols | x.free_symbols and slope in (1, -1) and _is_share(n, x, region):
             reason = "a part of the sum of all, which is 1, and none of them is negative"
             return Interval(0, 1, found == POSITIVE), reason
     low, high = (-oo if -1 in found else S.Zero), (oo if 1 in found else S.Zero)
