@@ -9,11 +9,14 @@ from time import perf_counter
 import pytest
 from proof_claims import CLAIMS, given, some_mutants
 from sympy import (
+    Abs,
     Derivative,
     Ge,
     Integral,
     Interval,
     KroneckerDelta,
+    Max,
+    Min,
     Mul,
     Product,
     Rational,
@@ -21,7 +24,9 @@ from sympy import (
     Sum,
     Symbol,
     binomial,
+    ceiling,
     factorial,
+    floor,
     nan,
     oo,
     symbols,
@@ -273,6 +278,23 @@ def test_a_point_is_no_argument_beside_the_operator(place):
     for basis in (B(1, 1, place), B(i, n, place), Subs(t**n, t, place)):
         assert by_algebra(statement(E * basis * b[0], basis * b[1]), Budget(5)) is None
     assert prove(E * B(i, n, t) * b[0], B(i, n, t) * b[1]).status == "PROVED"
+
+
+@pytest.mark.parametrize("cornered", [Abs(t), Max(t, 0), Min(t, 0), floor(t), ceiling(t)])
+def test_what_has_corners_has_no_derivative_there(cornered):
+    """At t = 0 the square of max(t, 0) has the derivative 0, and max(t, 0) has none."""
+    once, twice = (Derivative(B(degree, degree, cornered), t) for degree in (1, 2))
+    assert by_algebra(statement(twice, 2 * B(1, 1, cornered) * once), Budget(5)) is None
+    assert by_algebra(statement(Sum(binomial(n, k) * once, (k, n + 1, n + 2)), 0), Budget(5)) is None
+    put_in = Subs(B(1, 1, cornered.xreplace({t: u})), u, t)
+    assert by_algebra(statement(Derivative(put_in, t), once), Budget(5)) is None
+    assert by_algebra(statement(B(i, n, cornered), B(n - i, n, 1 - cornered)), Budget(5)) is not None
+
+
+@pytest.mark.parametrize("size", [Abs(E), floor(E), ceiling(E), Subs(Abs(t), t, E)])
+def test_the_operator_has_no_size(size):
+    basis = Subs(B(1, 1, size.expr), t, E) if isinstance(size, Subs) else B(1, 1, size)
+    assert by_algebra(statement(E * basis * b[0], basis * b[1]), Budget(5)) is None
 
 
 def test_no_induction_where_an_interval_moves():

@@ -35,8 +35,10 @@ from ..inequalities.sign_of import Region, signs
 from .linear import is_whole_form, least
 from .terms import Failure
 
+# Functions of numbers, which the operator is none of; they have no derivative at some of them.
+_OF_NUMBERS = (Abs, Max, Min, floor, ceiling)
 # These have a value where all their parts have one.
-_OF_ITS_PARTS = Rational | Symbol | Add | Mul | Integral | Abs | Max | Min | floor | ceiling
+_OF_ITS_PARTS = (Rational, Symbol, Add, Mul, Integral, *_OF_NUMBERS)
 
 
 def check_defined(expr, conditions, ranges=None):
@@ -87,13 +89,17 @@ def _check(expr, conditions, reals):
     elif isinstance(expr, KroneckerDelta):
         _check_whole(expr, *expr.args[:2])
     elif isinstance(expr, Derivative):
+        if expr.expr.has(*_OF_NUMBERS):  # SymPy names one everywhere: sign(t) for Abs(t)
+            raise Failure(f"it is not known where {expr} has a value")
         for _, order in expr.variable_count:
             _check_ends(expr, [order], conditions, reals)
             _check_not_negative(expr, order, conditions)
     elif isinstance(expr, Subs):
         for point in expr.point:
+            if point.has(E) and expr.expr.has(*_OF_NUMBERS):
+                raise Failure(f"it is not known where {expr} has a value")
             _check(point, conditions, reals)
-    elif not isinstance(expr, _OF_ITS_PARTS):
+    elif not isinstance(expr, _OF_ITS_PARTS) or (isinstance(expr, _OF_NUMBERS) and expr.has(E)):
         raise Failure(f"it is not known where {expr} has a value")
     for part in _bodies(expr):
         _check(part, conditions, reals)
