@@ -13,7 +13,6 @@ from .setup.workspace import lessons_source
 
 LESSONS = lessons_source()
 MOST = 3  # cells named in the table for one thing
-LATER = ("transcript/uniform-knots", "transcript/clamped-knots", "transcript/bezier-knots")  # B-splines
 
 
 class Picture(NamedTuple):
@@ -78,6 +77,13 @@ PICTURES = (
     Picture("transcript", "Bernstein basis", "the bases of low degree", "02", "figures.bases("),
     Picture("transcript", "joining Bézier curves", "two cubics that meet", "10", "widgets.explore_join("),
     Picture("transcript", "joining Bézier curves", "control points beside a data point", "10", "joins.catmull_rom("),
+    Picture("transcript", "B-splines", "one point moved: global and local", "11", '"one Bézier curve", "B-spline"'),
+    Picture("transcript", "B-spline basis functions", "the recursion from degree 0 on", "11", "figures.recursion("),
+    Picture("transcript", "B-spline basis functions", "functions with their supports", "11", "figures.spline_basis("),
+    Picture("transcript", "B-spline curves", "hulls of p + 1 points", "11", "figures.spans("),
+    Picture("transcript", "B-spline curves", "a knot inserted", "11", "figures.inserted("),
+    Picture("transcript", "knot vectors", "uniform, clamped, non-uniform", "11", "figures.knot_vectors("),
+    Picture("transcript", "multiple knots", "a sharp corner", "11", 'GOALS["bsplines/corner"]'),
 )
 
 
@@ -89,9 +95,7 @@ def shown():
     """
     cells = list(_cells())
     found = [
-        Shown(one.source, one.place, one.about, _holding(cells, f'EXAMPLES["{one.id}"]'))
-        for one in EXAMPLES.values()
-        if one.id not in LATER
+        Shown(one.source, one.place, one.about, _holding(cells, f'EXAMPLES["{one.id}"]')) for one in EXAMPLES.values()
     ]
     found += [Shown(one.source, one.place, one.about, _holding(cells, one.code, one.lesson)) for one in PICTURES]
     order = list(dict.fromkeys(one.source for one in found))

@@ -158,6 +158,7 @@ NUMBERS = {  # whose answers are several numbers and no point
     "curve/exercise-range",
     "splitting/exercise-left-heights",
     "elevation/exercise-nearest",
+    "bsplines/exercise-support",
 }
 
 
@@ -236,11 +237,33 @@ def test_right_answers_by_hand():
         "joining/exercise-next": "(8, 4)",
         "joining/exercise-second": "(12, -4)",  # tip (6, 8), then (8, 4), then twice as far
         "joining/exercise-piece": "(6, 6) (7, 5) (7, 0) (8, -1)",
+        "bsplines/before-between": "(3, 1)",
+        "bsplines/hat": "1/2",
+        "bsplines/quadratic-value": "3/4",
+        "bsplines/how-many-knots": "11",
+        "bsplines/sum-outside": "7/8",
+        "bsplines/step": "(3, 11/2)",
+        "bsplines/value-at-a-knot": "(2, 5)",
+        "bsplines/second-piece": "(2, 5) (4, 6) (6, 4)",
+        "bsplines/exercise-count": "7",
+        "bsplines/exercise-support": "(2, 5)",
+        "bsplines/exercise-value": "2/3",
+        "bsplines/exercise-point": "(8, 11/4)",
+        "bsplines/exercise-insert": "(7, 3) (9, 5/2)",
+        "bsplines/exercise-piece": "(10, 3) (12, 4) (12, 0)",
         "operator/difference": "-4",
         "operator/exercise-first": "-7",
         "operator/exercise-path": "(1, 3) (2, 1) (3, 3)",
         "operator/exercise-step": "7/2",
         "operator/exercise-two-parameters": "10/3",
+        "rational/half": "(3/5, 4/5)",
+        "rational/heavy": "(2, 3)",  # (4, 6) over 2
+        "rational/how-many-knots": "12",
+        "rational/exercise-point": "(5/13, 12/13)",
+        "rational/exercise-lift": "(0, 0, 1) (6, 12, 3) (4, 0, 1)",
+        "rational/exercise-weight": "7",
+        "rational/exercise-half": "(1/3, 1)",  # (1/2, 3/2, 3/2) is seen there
+        "rational/exercise-gap": "1/8",
         "splitting/exercise-cut-point": "(3/2, 15/8)",
         "splitting/exercise-left-half": "(0, 0) (1/4, 3/4) (1/2, 19/16) (3/4, 93/64)",
         "splitting/exercise-right-half": "(4/9, 10/9) (2/3, 4/3) (0, 2)",

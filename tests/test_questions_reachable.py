@@ -6,7 +6,9 @@ from fractions import Fraction as F
 import pytest
 
 from bezteach.lessons import ROOT, parsed
+from bezteach.numeric.bspline import insert
 from bezteach.questions import GOALS
+from bezteach.questions.bsplines import CUBIC, CUBIC_KNOTS
 
 LESSONS = sorted((ROOT / "lessons").glob("[0-9][0-9]-*.ipynb"))
 STOPS = {F(k, 24) for k in range(25)}  # of the sliders of t, a and b
@@ -34,6 +36,13 @@ DONE = {  # worked on paper: {control point: where it is dragged to}, and what e
     "joining/clock": ({}, {"t": F(1, 3)}),
     "joining/close-the-frame": ({5: (8, 2)}, {}),
     "joining/same-bend": ({5: (7, 2)}, {}),
+    "bsplines/two-spans": ({1: (0, 6)}, {}),
+    "bsplines/quarter": ({}, {"knots": (0, 0, 0, 1, F(3, 2), 3, 4, 4, 4)}),
+    "bsplines/corner": ({}, {"knots": (0, 0, 0, 2, 2, 3, 4, 4, 4)}),
+    "bsplines/insert": ({}, dict(zip(("points", "knots"), insert(CUBIC, CUBIC_KNOTS, 2, 2), strict=True))),
+    "bsplines/through": ({}, {"knots": (0, 0, 0, 0, 2, 2, 2, 4, 4, 4, 4)}),
+    "rational/circle": ({}, {"w": F(2)}),
+    "rational/through": ({}, {"w": F(2)}),
 }
 
 
@@ -57,13 +66,18 @@ def shown_by(sources):
 
 def board_of(goal):
     """The board, fresh, on which a lesson sets a task."""
+    shown = shown_with(goal)
+    return getattr(shown, "board", shown)
+
+
+def shown_with(goal):
+    """What a lesson shows, fresh, with a task: a board, or a panel with a board and controls."""
     for path in LESSONS:
         cells = parsed(path.read_text(encoding="utf-8")).cells
         sources = [cell.source for cell in cells if cell.cell_type == "code"]
         for place, source in enumerate(sources):
             if f'GOALS["{goal}"]' in source:
-                shown = shown_by(sources[: place + 1])
-                return getattr(shown, "board", shown)
+                return shown_by(sources[: place + 1])
     raise ValueError(f"no lesson has the task {goal}")
 
 
@@ -83,14 +97,20 @@ def test_every_task_has_its_solution_here():
 
 @pytest.mark.parametrize("name", DONE)
 def test_a_task_can_be_done_on_its_board(name):
-    goal, board = GOALS[name], board_of(name)
+    goal, shown = GOALS[name], shown_with(name)
+    board, controls = getattr(shown, "board", shown), getattr(shown, "controls", {})
     moved, settings = DONE[name]
     assert goal.text in board.text and not goal.reached(board.state)
-    board.change(points=[moved.get(i, there) for i, there in enumerate(board.points)], **settings)
-    assert goal.reached(board.state) and goal.praise in board.text
+    here = {setting: value for setting, value in settings.items() if setting not in controls}
+    dragged = {"points": [moved.get(i, there) for i, there in enumerate(board.points)]}
+    board.change(**(dragged | here))  # an inserted knot brings its own points
+    for setting in settings.keys() - here.keys():
+        controls[setting].value = settings[setting]  # which has no stop but its own
+    assert goal.praise in board.text and (here != settings or goal.reached(board.state))
     assert {settings.get(parameter, F(0)) for parameter in "tab"} <= STOPS
     free = [(0, y) if board.vertical else (x, y) for x, y in moved.values()]  # up and down only
     assert out_of_reach(board, [*free, *settings.get("line", ())]) == []
+    assert [knot for knot in settings.get("knots", ()) if F(knot) % F(board.limits["knots"])] == []
 
 
 def test_what_no_drag_reaches_is_seen():

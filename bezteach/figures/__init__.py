@@ -12,9 +12,11 @@ from .errors import error_growth
 from .fitting import clock, fitted, nudged, two_bases
 from .functions import areas, bases, basis, decay, graph, graphs, stacked
 from .joins import curvatures, reach
+from .rational import nurbs, projection, pulled, quarter
 from .scene import drawn
 from .shape import beads, heights, moved
 from .space import space
+from .splines import inserted, knot_vectors, recursion, spans, spline_basis, ways
 from .style import show
 
 __all__ = [
@@ -36,20 +38,30 @@ __all__ = [
     "halving",
     "heights",
     "hodograph",
+    "inserted",
+    "knot_vectors",
     "loci",
     "lower_curves",
     "lowered",
     "moved",
     "nudged",
+    "nurbs",
+    "projection",
+    "pulled",
+    "quarter",
     "raised",
     "reach",
+    "recursion",
     "segment",
     "show",
     "space",
+    "spans",
+    "spline_basis",
     "signs",
     "split",
     "stacked",
     "triangle",
     "two_bases",
     "two_ways",
+    "ways",
 ]

@@ -4,10 +4,40 @@ Pure data and functions; ``widgets.ask`` puts a question on the screen. The righ
 and feedback names the mistake without telling the answer.
 """
 
-from . import basis, casteljau, curve, definitions, derivatives, elevation, joining, operator, splitting, start, why
+from . import (
+    basis,
+    bspline_tasks,
+    bsplines,
+    casteljau,
+    curve,
+    definitions,
+    derivatives,
+    elevation,
+    joining,
+    operator,
+    rational,
+    splitting,
+    start,
+    why,
+)
 from .asking import Choice, Entry, Goal, judge, read
 
-LESSONS = (start, why, definitions, basis, curve, casteljau, operator, derivatives, splitting, elevation, joining)
+LESSONS = (
+    start,
+    why,
+    definitions,
+    basis,
+    curve,
+    casteljau,
+    operator,
+    derivatives,
+    splitting,
+    elevation,
+    joining,
+    bsplines,
+    bspline_tasks,
+    rational,
+)
 QUESTIONS = {name: question for lesson in LESSONS for name, question in lesson.QUESTIONS.items()}
 GOALS = {name: goal for lesson in LESSONS for name, goal in getattr(lesson, "GOALS", {}).items()}
 

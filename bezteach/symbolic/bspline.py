@@ -55,7 +55,7 @@ def piece(i, p, knots, t, span):
     knots, t = _checked(i, p, knots, t, span)
     if p:
         lower = [(place, _name(place, p - 1)) for place in (i, i + 1)]
-        yield Step(_blend(i, p, knots, t, lower), "the recursion, a quotient 0/0 being 0", _name(i, p))
+        yield Step(_blend(i, p, knots, t, lower), "the recursion; a quotient over 0 is left out", _name(i, p))
         lower = [(place, Add(*terms(place, p - 1, knots, t, span))) for place in (i, i + 1)]
         yield Step(_blend(i, p, knots, t, lower), f"what the functions of degree {p - 1} are on span {span}")
     found = Add(*terms(i, p, knots, t, span))

@@ -21,6 +21,7 @@ from .explorers import (
     explore_spline,
     explore_split,
     explore_tangents,
+    explore_weights,
 )
 from .walking import walk
 
@@ -45,5 +46,6 @@ __all__ = [
     "explore_spline",
     "explore_split",
     "explore_tangents",
+    "explore_weights",
     "walk",
 ]

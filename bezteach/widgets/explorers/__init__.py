@@ -18,6 +18,7 @@ from .presets import (
     explore_tangents,
 )
 from .quartic import explore_quartic
+from .weights import explore_weights
 
 __all__ = [
     "explore_affine",
@@ -37,4 +38,5 @@ __all__ = [
     "explore_spline",
     "explore_split",
     "explore_tangents",
+    "explore_weights",
 ]
