@@ -8,10 +8,10 @@ from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
-from sympy import Rational, latex, sstr
+from sympy import Rational, sstr
 
 from bezteach.parsing import InvalidAnswer
-from bezteach.proof import prove
+from bezteach.proof import PROVED, REFUTED, prove
 
 from . import derivations, formulas, truth, values
 from .reading import is_blank
@@ -98,20 +98,25 @@ def asks_formula(text, right, letters, ranges=None, mistakes=lambda data: (), hi
 
 
 def asks_truth(text, relation, ranges, hints=()):
-    """A question whether a relation holds for all letters in their ranges; the prover decides what is right."""
+    """A question whether a relation holds for all letters in their ranges; the prover decides what is right.
+
+    ``ValueError`` for a relation that the prover cannot decide: then this is no question.
+    """
 
     def verdict_of(data):
-        return prove(relation(data), given=ranges)
+        verdict = prove(relation(data), given=ranges)
+        if verdict.status not in (PROVED, REFUTED):
+            raise ValueError(f"a question of truth that is {verdict.status}: {relation(data)}")
+        return verdict
 
     def judge(data, answer):
         given = truth.truth_of(answer)
-        return truth.compared(
-            given, relation(data), lambda places: within(places, ranges), verdict_of(data).status == "PROVED"
-        )
+        right = verdict_of(data).status == PROVED
+        return truth.compared(given, relation(data), lambda places: within(places, ranges), right)
 
     def solution(data):
         verdict = verdict_of(data)
-        return "True" if verdict.status == "PROVED" else f'(False, "{verdict.counterexample.point()}")'
+        return "True" if verdict.status == PROVED else f'(False, "{verdict.counterexample.point()}")'
 
     return Question(text, judge, solution, hints)
 
@@ -133,18 +138,18 @@ def within(places, ranges):
     return all(inside(value, ranges[symbol]) for symbol, value in places.items() if symbol in ranges)
 
 
-def asks_derivation(text, start, goal, letters, ranges, least=1, hints=()):
-    """A question for a derivation of ``goal`` from ``start``, with so many lines between them at least."""
+def asks_derivation(text, lines, letters, ranges, least=1, hints=()):
+    """A question for a derivation from the first of ``lines`` to the last, with ``least`` different ones between.
+
+    ``lines``: SymPy formulas, or a text as a student writes it; they are one right answer, and any other will do.
+    """
+    written_out = lines if isinstance(lines, str) else "\n= ".join(map(sstr, lines))
 
     def judge(data, answer):
-        lines = derivations.lines_of(answer, letters)
-        return derivations.compared(lines, start(data), goal(data), ranges, least)
+        first, *_, last = derivations.lines_of(written_out, letters)
+        return derivations.compared(derivations.lines_of(answer, letters), first, last, ranges, least)
 
-    def solution(data):
-        steps = prove(start(data), goal(data), given=ranges).steps
-        return "\n".join(f"{latex(step.expression)}    ({step.reason})" for step in steps)
-
-    return Question(text, judge, solution, hints)
+    return Question(text, judge, lambda data: written_out, hints)
 
 
 def asks_position(text, demands, solution, hints=()):

@@ -3,13 +3,23 @@
 from fractions import Fraction as F
 
 import pytest
-from sympy import Integer
+from sympy import Eq, Integer, Sum
 
 from bezteach import numeric
 from bezteach.homework import CORRECT, INVALID, PARTLY, UNATTEMPTED, WRONG
 from bezteach.homework.formulas import is_bernstein, is_expanded
-from bezteach.homework.kinds import asks_formula, asks_position, asks_value, judged, within, written
-from bezteach.symbolic import i, n, t
+from bezteach.homework.kinds import (
+    asks_derivation,
+    asks_formula,
+    asks_position,
+    asks_truth,
+    asks_value,
+    judged,
+    within,
+    written,
+)
+from bezteach.proof import prove
+from bezteach.symbolic import B, i, n, t
 
 POWERS = asks_formula(
     lambda data: "B(1, 2, t) in powers", lambda data: 2 * t - 2 * t**2, {t}, form=("multiplied out", is_expanded)
@@ -87,3 +97,16 @@ def test_solutions_are_written_as_they_are_pasted():
 def test_whether_values_are_in_ranges_that_depend_on_each_other(places, inside):
     values = dict(zip((n, i), map(Integer, places), strict=True))
     assert within(values, {n: (1, 9), i: (0, n)}) is inside
+
+
+def test_what_the_prover_cannot_decide_is_no_question(monkeypatch):
+    monkeypatch.setattr("bezteach.homework.kinds.prove", lambda relation, given: prove(relation, given=given, budget=0))
+    hard = asks_truth(lambda data: "", lambda data: Eq(Sum(B(i, n, t), (i, 0, n)), Integer(1), evaluate=False), {})
+    with pytest.raises(ValueError, match="a question of truth that is"):
+        judged(hard, {}, True)
+
+
+def test_a_derivation_begins_and_ends_as_its_lines():
+    question = asks_derivation(lambda data: "", (t + t * n, t * (1 + n)), {t, n}, {}, least=0)
+    assert judged(question, {}, question.solution({})).status == CORRECT
+    assert judged(question, {}, "t(1+n)\n= t + t n").status == WRONG

@@ -2,9 +2,15 @@
 
 from random import Random
 
-from . import splitting
+from . import curve_properties, definitions, derivatives, elevation, splitting
 
-SETS = {"08-splitting": splitting.SET}
+SETS = {
+    "02-definitions": definitions.SET,
+    "04-curve-properties": curve_properties.SET,
+    "07-derivatives": derivatives.SET,
+    "08-splitting": splitting.SET,
+    "09-degree-elevation": elevation.SET,
+}
 QUESTIONS = {f"{name}/{short}": (name, one) for name, part in SETS.items() for short, one in part.questions.items()}
 
 

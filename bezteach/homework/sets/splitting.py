@@ -2,7 +2,7 @@
 
 from fractions import Fraction as F
 
-from sympy import Eq, Integer, Interval, Sum, oo
+from sympy import Eq, Interval, oo
 
 from bezteach import numeric
 from bezteach.display import points as shown
@@ -83,6 +83,10 @@ def _local_mistakes(data):
 def _cubic_at(name):
     return lambda data: f"{shown(data[name])}".replace("   ", ", ")
 
+
+UNITY = """sum(B(i, n, t), i, 0, n)
+= sum(C(n, i) t^i (1-t)^(n-i), i, 0, n)
+= 1"""
 
 SET = Set(
     BOOK,
@@ -181,8 +185,7 @@ SET = Set(
                 "The weights of a control point of the front half sum to 1. Show it, from sum(B(i, n, t), i, 0, n) "
                 "to 1, with at least one line between."
             ),
-            lambda data: Sum(B(i, n, t), (i, 0, n)),
-            lambda data: Integer(1),
+            UNITY,
             {i, n, t},
             {n: (0, oo)},
             hints=("Write the functions out.", "The binomial theorem: the sum is ((1 - t) + t)^n."),
