@@ -9,8 +9,8 @@ INTRODUCTION = """# Homework {name}
 
 Put your answer in the place of the three dots and run the cell. A number is `2`, `-5/3` or `Fraction(1, 3)`, a point \
 `(1/2, 3)`, a list of points `[(0, 0), (1/2, 1)]`; a formula stands in quotes, `"2t(1 - t)"`, \
-with a sign after a fraction, `"n/(n+1) * b_1"`. Write the answer itself into the call: it is also read without running \
-the notebook.
+with a sign after a fraction, `"n/(n+1) * b_1"`. Write the answer itself into the call: it is also read without \
+running the notebook.
 
 `hint("...")` gives one more hint each time, `solution("...")` the answer once you have tried."""
 
