@@ -43,16 +43,15 @@ HEAVY = {
 
 
 @pytest.mark.parametrize("text", [*HEAVY.values(), *(row[0] for row in REFUSED)], ids=lambda text: f"{text[:12]!a}")
-def test_no_text_takes_long(text):
-    parse(
-        "sqrt(2)*t*integral(t, t, 0, 1) + sum(i, i, 0, n)^n/abs(1-t)"
-    )  # what SymPy loads when it is first used does not count
-    start = time.perf_counter()
+def test_no_text_makes_much_work(text):
+    """Seconds of the processor, where a text without a bound would take minutes or for ever."""
+    parse("sqrt(2)*t*integral(t, t, 0, 1) + sum(i, i, 0, n)^n/abs(1-t)")  # SymPy loads what it needs
+    start = time.process_time()
     try:
         parse(text)
     except InvalidAnswer as error:
         assert error.position
-    assert time.perf_counter() - start < 2
+    assert time.process_time() - start < 5
 
 
 BOUNDS = {
