@@ -9,6 +9,7 @@ from .failure import Failure
 LARGEST = 100  # degree times number of symbols, which takes a few seconds at most
 HIGHEST = 1000  # degree of what is cancelled in one symbol
 MOST = 5000  # terms of a polynomial
+MOST_TO_FACTOR = 250  # likewise, in three symbols and more
 MOST_TERMS = 400  # hypergeometric terms of a sum
 
 
@@ -81,8 +82,13 @@ def cancelled(expr):
 
 
 def factored(expr):
-    """A rational function as a product; ``Failure`` where it is too large."""
+    """A rational function as a product; ``Failure`` where it is too large.
+
+    In three symbols and more SymPy's luck decides whether hundreds of terms take seconds or hours.
+    """
     check_size(expr)
+    if len(expr.free_symbols) > 2 and most_terms(expr) > MOST_TO_FACTOR:
+        raise Failure("what would have to be factored is too large")
     return factor(expr)
 
 
