@@ -12,8 +12,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 # How fast a machine is, is the benchmark's business. The parent is what Hypothesis takes here, another one in CI.
-QUICK = {"deadline": None, "max_examples": 60, "suppress_health_check": [HealthCheck.too_slow]}
-settings.register_profile("bezteach", parent=settings(), **QUICK)
+settings.register_profile("bezteach", parent=settings(), deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("bezteach")
 
 

@@ -5,7 +5,8 @@ import sys
 from bezteach.setup.processes import let_through
 
 # The tests of a file, and the cells of a notebook, stay together and in order; "-n0" behind them switches it off.
-ON_ALL_CORES = ["-n", "auto", "--dist", "loadfile"]
+# Files stay in order too: those with few tests, which are the slow ones, would else come last, on one core.
+ON_ALL_CORES = ["-n", "auto", "--dist", "loadfile", "--no-loadscope-reorder"]
 
 
 def main(arguments):

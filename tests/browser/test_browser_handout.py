@@ -9,7 +9,7 @@ import pytest
 
 from bezteach.lessons import ROOT, parsed
 
-LESSON = ROOT / "lessons" / "02-definitions.ipynb"
+LESSON = ROOT / "lessons" / "08-splitting.ipynb"
 LIBRARIES = re.compile("require|mathjax", re.IGNORECASE)  # nbconvert's page wants them from other servers
 PICTURES = """() => [...document.querySelectorAll(".jp-OutputArea :is(img, svg)")].map(picture => {
   const { width, height } = picture.getBoundingClientRect();

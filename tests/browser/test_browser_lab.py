@@ -9,7 +9,7 @@ from playwright.sync_api import expect
 
 from bezteach.widgets import Board
 
-LESSON = "02-definitions.ipynb"
+LESSON = "08-splitting.ipynb"
 VIEW = Board(POINTS).view
 VIEWPORT = {"width": 1200, "height": 900}
 

@@ -13,7 +13,7 @@ from bezteach.homework import CORRECT, INVALID, PARTLY, UNATTEMPTED, WRONG
 from bezteach.homework.kinds import judged
 from bezteach.homework.sets import QUESTIONS, SETS, data_of
 
-STUDENTS = (None, "dürer")
+STUDENTS = (None, "ada", "dürer")
 
 BOOK = definitions.BOOK | curve_properties.BOOK | splitting.BOOK | elevation.BOOK | derivatives.BOOK
 

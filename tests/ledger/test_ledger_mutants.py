@@ -8,7 +8,7 @@ from bezteach import ledger
 from bezteach.ledger.claim import eq
 from bezteach.symbolic import B, i, n, t
 
-EACH = 2
+EACH = 3
 CLAIMS = [id for id in ledger.CLAIMS if relations(ledger.CLAIMS[id])]
 
 
