@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from figure_words import assert_words_fit
 from scipy.interpolate import BSpline
+from scipy.spatial import ConvexHull
 
 from bezteach import figures
-from bezteach.figures.splines import LIGHT
+from bezteach.figures.spline_functions import LIGHT
 from bezteach.numeric import bspline
 
 POINTS = ((0, 0), (0, 4), (4, 6), (8, 2), (12, 4), (12, 0))
@@ -81,17 +82,18 @@ def test_a_function_of_degree_0_has_a_gap_where_it_jumps():
     assert np.isnan(first).any() and set(first[~np.isnan(first[:, 1]), 1]) == {0, 1}
 
 
-def test_the_hull_of_a_span_holds_it():
-    figure = figures.spans(POINTS, KNOTS, 4)
-    (axes,) = figure.axes
-    assert len(axes.patches) == 1  # three points, one triangle
-    assert np.allclose(axes.patches[0].get_xy()[:3], POINTS[2:5])
-    assert "4 spans" in figure.get_label() and "b_2 to b_4" in figure.get_label()
+@pytest.mark.parametrize(("degree", "chosen"), [(2, 4), (3, 4), (3, 5)])
+def test_the_shaded_area_is_the_hull_of_the_spans_points(degree, chosen):
+    figure = figures.spans(POINTS, bspline.clamped(6, degree), chosen)
+    near = np.array(POINTS[chosen - degree : chosen + 1], dtype=float)
+    (shaded,) = figure.axes[0].patches
+    drawn_corners = set(map(tuple, shaded.get_xy()))
+    assert drawn_corners == set(map(tuple, near[ConvexHull(near).vertices]))
+    assert f"b_{chosen - degree} to b_{chosen}" in figure.get_label()
 
 
-def test_the_hull_of_four_points_is_made_of_triangles():
-    cubic = bspline.clamped(6, 3)
-    assert len(figures.spans(POINTS, cubic, 4).axes[0].patches) == 4
+def test_the_spans_are_counted_in_words():
+    assert "4 spans" in figures.spans(POINTS, KNOTS, 4).get_label()
 
 
 def test_neighbouring_spans_differ_in_colour_and_dash():

@@ -16,7 +16,8 @@ from .rational import nurbs, projection, pulled, quarter
 from .scene import drawn
 from .shape import beads, heights, moved
 from .space import space
-from .splines import inserted, knot_vectors, recursion, spans, spline_basis, ways
+from .spline_functions import recursion, spline_basis
+from .splines import inserted, knot_vectors, spans, ways
 from .style import show
 
 __all__ = [

@@ -2,6 +2,7 @@
 
 from bezteach.parsing import InvalidAnswer
 from bezteach.proof import PROVED, REFUTED, check_derivation
+from bezteach.symbolic import text
 
 from .formulas import formula_of
 from .verdict import CORRECT, INVALID, OPEN, PARTLY, WRONG, Verdict
@@ -21,17 +22,17 @@ def lines_of(answer, letters):
     ``InvalidAnswer`` names the line.
     """
     texts = answer.splitlines() if type(answer) is str else answer
-    if type(texts) not in (list, tuple) or any(type(text) is not str for text in texts):
+    if type(texts) not in (list, tuple) or any(type(line) is not str for line in texts):
         raise InvalidAnswer("a derivation is a text of several lines, or a list of texts")
-    texts = [text.strip() for text in texts if text.strip()]
+    texts = [line.strip() for line in texts if line.strip()]
     if not 2 <= len(texts) <= MOST:
         raise InvalidAnswer(f"a derivation has 2 to {MOST} lines, and this one has {len(texts)}")
-    return [_line(number, text, letters) for number, text in enumerate(texts, 1)]
+    return [_line(number, line, letters) for number, line in enumerate(texts, 1)]
 
 
-def _line(number, text, letters):
+def _line(number, line, letters):
     try:
-        return formula_of(text.removeprefix("=") if number > 1 else text, letters)
+        return formula_of(line.removeprefix("=") if number > 1 else line, letters)
     except InvalidAnswer as problem:
         raise InvalidAnswer(f"line {number}: {problem}") from None
 
@@ -43,7 +44,7 @@ def compared(lines, start, goal, ranges, least=1):
     not be decided.
     """
     if lines[0] != start:
-        return Verdict(WRONG, f"The first line is not what is given: begin with {start}.")
+        return Verdict(WRONG, f"The first line is not what is given: begin with {text(start)}.")
     judgement = check_derivation(lines, given=ranges, budget=SECONDS)
     wrong = judgement.first_wrong
     if wrong is not None:
@@ -54,7 +55,7 @@ def compared(lines, start, goal, ranges, least=1):
         words = judgement.note if told is None else f"line {told.number}: {told.note or told.remark}"
         return Verdict(INVALID if judgement.status == "INVALID" else OPEN, f"Not every step could be decided; {words}.")
     if lines[-1] != goal:
-        return Verdict(PARTLY, f"Every line follows from the one before. Go on until the line is {goal}.")
+        return Verdict(PARTLY, f"Every line follows from the one before. Go on until the line is {text(goal)}.")
     between = {line for line in lines if line not in (start, goal)}
     if len(between) < least:
         return Verdict(PARTLY, f"True, but show why: at least {least} different line{'s' * (least != 1)} between.")

@@ -7,6 +7,8 @@ from sympy import Add, Dummy, Expr, Indexed, Integer, Mul, Poly, PolynomialError
 from bezteach.parsing import InvalidAnswer
 from bezteach.proof import INVALID as MEANINGLESS
 from bezteach.proof import PROVED, REFUTED, Undefined, prove
+from bezteach.proof.exact.refuter import shown
+from bezteach.proof.ranges import about
 from bezteach.symbolic import B
 
 from .reading import read
@@ -45,42 +47,24 @@ def compared(given, right, ranges, mistakes=()):
 
     ``mistakes`` are (formula, feedback). WRONG has the simplest place where the answer fails, and what it is there.
     """
-    verdict = prove(given, right, given=_about(ranges, given, right), budget=SECONDS)
+    verdict = prove(given, right, given=about((given, right), ranges), budget=SECONDS)
     if verdict.status == PROVED:
         return Verdict(CORRECT, "Right, and proved for all that is asked.")
     if verdict.status == MEANINGLESS:
         return Verdict(INVALID, verdict.note)
     for mistake, feedback in mistakes:
-        if prove(given, mistake, given=_about(ranges, given, mistake), budget=SECONDS).status == PROVED:
+        if prove(given, mistake, given=about((given, mistake), ranges), budget=SECONDS).status == PROVED:
             return Verdict(WRONG, feedback)
     if verdict.status == REFUTED:
         return Verdict(WRONG, _where(verdict.counterexample))
     return Verdict(OPEN, f"Whether this is the right formula could not be decided ({verdict.note}): write it simpler.")
 
 
-def _about(ranges, *formulas):
-    """The ranges of the symbols that occur, and of those that the ranges name."""
-    there = set().union(*(formula.free_symbols for formula in formulas))
-    kept = {symbol: bounds for symbol, bounds in ranges.items() if symbol in there}
-    while more := {
-        symbol: bounds
-        for symbol, bounds in ranges.items()
-        if symbol not in kept
-        and any(symbol in getattr(end, "free_symbols", ()) for ends in kept.values() for end in _ends(ends))
-    }:
-        kept |= more
-    return kept
-
-
-def _ends(bounds):
-    return bounds if isinstance(bounds, tuple) else ()
-
-
 def _where(found):
     place = f"At {found.point()}" if found.values else "As it stands"
     if isinstance(found.lhs, Undefined):
         return f"{place} your formula has no value ({found.lhs})."
-    return f"{place} your formula is {found.lhs}, and that is not right."
+    return f"{place} your formula is {shown(found.lhs)}, and that is not right."
 
 
 # ---- The form that is asked for

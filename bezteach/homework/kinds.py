@@ -5,11 +5,15 @@ A question's data, the student's own numbers, is a dictionary; ``text``, ``right
 
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
-from sympy import Rational, sstr
+from sympy import sympify
 
+from bezteach import symbolic
+from bezteach.display import points
+from bezteach.numeric.exact import nested
 from bezteach.parsing import InvalidAnswer
 from bezteach.proof import PROVED, REFUTED, prove
 
@@ -21,7 +25,7 @@ from .verdict import CORRECT, INVALID, PARTLY, UNATTEMPTED, WRONG, Verdict
 class Question(NamedTuple):
     """What is asked (``text(data)``), how an answer is judged, what is right in words, and hints, the vaguest first.
 
-    ``apart(data)`` says whether the data can tell the right answer from every known mistake.
+    ``apart(data)`` says whether the data can tell the right answer and the known mistakes from one another.
     """
 
     text: Callable
@@ -53,22 +57,16 @@ def asks_value(kind, text, right, mistakes=lambda data: (), hints=()):
     """A question for a number, a point, points or a matrix (``values.SHAPES``); mistakes are (value, feedback)."""
 
     def judge(data, answer):
-        return values.compared(values.value_of(kind, answer), exact(right(data)), named(data))
+        return values.compared(values.value_of(kind, answer), nested(right(data)), named(data))
 
     def named(data):
-        return [(exact(value), feedback) for value, feedback in mistakes(data)]
+        return [(nested(value), feedback) for value, feedback in mistakes(data)]
 
     def apart(data):
-        return all(values.same(exact(right(data)), value) is False for value, _ in named(data))
+        known = [nested(right(data)), *(value for value, _ in named(data))]
+        return all(values.same(one, other) is False for one, other in combinations(known, 2))
 
-    return Question(text, judge, lambda data: written(exact(right(data))), hints, apart)
-
-
-def exact(value):
-    """An array or number of the project's as nested tuples of Fractions."""
-    if hasattr(value, "__len__"):
-        return tuple(map(exact, value))
-    return Fraction(value) if isinstance(value, int | Fraction) else value
+    return Question(text, judge, lambda data: written(nested(right(data))), hints, apart)
 
 
 def written(value):
@@ -84,6 +82,15 @@ def written(value):
     return str(fraction) if fraction.denominator == 1 else f"Fraction({fraction.numerator}, {fraction.denominator})"
 
 
+def listed(control_points, name="b"):
+    """Control points, or heights, as a question prints them.
+
+    >>> listed([(0, 0), (1, Fraction(1, 2))])
+    'b_0 = (0, 0), b_1 = (1, 1/2)'
+    """
+    return points(control_points, name).text.replace("   ", ", ")
+
+
 def asks_formula(text, right, letters, ranges=None, mistakes=lambda data: (), hints=(), form=None):
     """A question for a formula in ``letters``; ``form`` is (name, whether a formula has it), of ``formulas``."""
 
@@ -94,7 +101,7 @@ def asks_formula(text, right, letters, ranges=None, mistakes=lambda data: (), hi
             return Verdict(PARTLY, f"This is equal, but it is not {form[0]}, as it was asked for.")
         return verdict
 
-    return Question(text, judge, lambda data: sstr(right(data)), hints)
+    return Question(text, judge, lambda data: symbolic.text(right(data)), hints)
 
 
 def asks_truth(text, relation, ranges, hints=()):
@@ -125,15 +132,15 @@ def within(places, ranges):
     """Whether each letter that has a range is in it; an end may be a formula in other letters.
 
     >>> from bezteach.symbolic import i, n
-    >>> within({n: Rational(2), i: Rational(3)}, {n: (1, 9), i: (0, n)})
+    >>> within({n: sympify(2), i: sympify(3)}, {n: (1, 9), i: (0, n)})
     False
     """
 
     def inside(value, bounds):
         if not isinstance(bounds, tuple):
             return value in bounds
-        low, high = (Rational(end).subs(places) if isinstance(end, int) else end.subs(places) for end in bounds)
-        return bool(low <= value) and bool(value <= high)
+        low, high = (sympify(end).subs(places) for end in bounds)
+        return bool(low <= value <= high)
 
     return all(inside(value, ranges[symbol]) for symbol, value in places.items() if symbol in ranges)
 
@@ -143,7 +150,7 @@ def asks_derivation(text, lines, letters, ranges, least=1, hints=()):
 
     ``lines``: SymPy formulas, or a text as a student writes it; they are one right answer, and any other will do.
     """
-    written_out = lines if isinstance(lines, str) else "\n= ".join(map(sstr, lines))
+    written_out = lines if isinstance(lines, str) else "\n= ".join(map(symbolic.text, lines))
 
     def judge(data, answer):
         first, *_, last = derivations.lines_of(written_out, letters)
@@ -160,14 +167,14 @@ def asks_position(text, demands, solution, hints=()):
     """
 
     def judge(data, answer):
-        points = values.value_of("points", answer)
-        if any(not isinstance(number, Fraction) for point in points for number in point):
+        found = values.value_of("points", answer)
+        if any(not isinstance(number, Fraction) for point in found for number in point):
             raise InvalidAnswer("positions are exact: write fractions, such as 1/3, for decimal numbers and roots")
-        if len(points[0]) != 2:
+        if len(found[0]) != 2:
             raise InvalidAnswer("the board is a plane: two numbers for each point")
-        lacking = [words for holds, words in demands if not holds(data, np.array(points, dtype=object))]
+        lacking = [words for holds, words in demands if not holds(data, np.array(found, dtype=object))]
         if not lacking:
             return Verdict(CORRECT, "Right: all that was asked for holds.")
         return Verdict(WRONG if len(lacking) == len(demands) else PARTLY, lacking[0])
 
-    return Question(text, judge, lambda data: written(exact(solution(data))), hints)
+    return Question(text, judge, lambda data: written(nested(solution(data))), hints)

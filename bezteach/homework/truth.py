@@ -1,12 +1,12 @@
 """True or false, and if false a counterexample that must refute."""
 
-from sympy import Rational
+from sympy import Equality
 
 from bezteach.parsing import InvalidAnswer, parse
-from bezteach.proof import InvalidStatement, OutOfTime, Undefined, Unsupported, evaluate
-from bezteach.proof.exact.refuter import COMPARE
+from bezteach.proof import OutOfTime, Undefined, Unsupported, evaluate
+from bezteach.proof.exact.refuter import COMPARE, shown
 
-from .verdict import CORRECT, INVALID, OPEN, PARTLY, WRONG, Verdict
+from .verdict import CORRECT, OPEN, PARTLY, WRONG, Verdict
 
 WORDS = {"true": True, "false": False}
 LIKE = 'write True, or False with a counterexample: (False, "n = 2, t = 1/2")'
@@ -46,29 +46,24 @@ def _places(text):
     relations = parse(text)
     places = {}
     for relation in relations if isinstance(relations, tuple) else (relations,):
-        symbol, value = (
-            getattr(relation, "args", (None, None)) if getattr(relation, "rel_op", "") == "==" else (None, 0)
-        )
-        if not getattr(symbol, "is_Symbol", False) or not isinstance(value, Rational):
+        if not (isinstance(relation, Equality) and relation.lhs.is_Symbol and relation.rhs.is_Rational):
             raise InvalidAnswer(f"a counterexample gives each letter a number; {LIKE}")
-        if symbol in places:
-            raise InvalidAnswer(f"{symbol} has two values")
-        places[symbol] = value
+        if relation.lhs in places:
+            raise InvalidAnswer(f"{relation.lhs} has two values")
+        places[relation.lhs] = relation.rhs
     return places
 
 
 def compared(given, relation, allowed, right):
-    """The ``Verdict`` on ``truth_of`` an answer: ``relation`` is the statement, ``right`` whether it is true, and
-    ``allowed(places)`` says whether it speaks of these values.
+    """The ``Verdict`` on ``truth_of`` an answer to whether the relation holds, which is ``right``.
 
-    A wrong counterexample to a false statement is PARTLY right.
+    ``allowed(places)`` says whether the relation speaks of these values. A wrong counterexample is PARTLY right; it is
+    one also where one side alone has no value.
     """
     holds, places = given
     if holds != right:
-        return Verdict(
-            WRONG,
-            "Not so. Try the smallest cases first." if right else "There is a place where it fails: try small ones.",
-        )
+        hint = "Try the smallest cases first." if right else "There is a place where it fails: try small ones."
+        return Verdict(WRONG, f"Not so. {hint}")
     if right:
         return Verdict(CORRECT, "Right.")
     missing = sorted(map(str, relation.free_symbols - {*places}))
@@ -78,14 +73,21 @@ def compared(given, relation, allowed, right):
     if any(symbol.is_integer and not value.is_Integer for symbol, value in values.items()) or not allowed(values):
         return Verdict(PARTLY, "False, yes; but your letters are outside of what the statement speaks of.")
     try:
-        sides = evaluate(relation.lhs, values), evaluate(relation.rhs, values)
-    except Undefined as why:
-        return Verdict(PARTLY, f"False, yes; but there one side has no value ({why}).")
+        sides = [_value(side, values) for side in (relation.lhs, relation.rhs)]
     except (OutOfTime, Unsupported):
         return Verdict(OPEN, "False, yes; but your counterexample is too large to be computed: take a smaller one.")
-    except InvalidStatement as why:
-        return Verdict(INVALID, str(why))
+    undefined = [isinstance(side, Undefined) for side in sides]
+    if all(undefined):
+        return Verdict(PARTLY, f"False, yes; but there neither side has a value ({sides[0]}).")
     sign = "=" if relation.rel_op == "==" else relation.rel_op
-    if COMPARE[sign](*sides):
+    if not any(undefined) and COMPARE[sign](*sides):
         return Verdict(PARTLY, f"False, yes; but there the statement holds: both sides give {sides[0]} and {sides[1]}.")
-    return Verdict(CORRECT, f"Right: there the sides are {sides[0]} and {sides[1]}.")
+    return Verdict(CORRECT, f"Right: there the sides are {shown(sides[0])} and {shown(sides[1])}.")
+
+
+def _value(side, values):
+    """The exact value, or why there is none."""
+    try:
+        return evaluate(side, values)
+    except Undefined as why:
+        return why

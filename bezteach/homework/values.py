@@ -2,17 +2,24 @@
 
 from fractions import Fraction
 
-from sympy import Basic, Rational, expand, radsimp, sympify
+from sympy import Basic, Rational, sympify
 
+from bezteach.numeric.exact import is_zero
 from bezteach.parsing import InvalidAnswer
 
 from .reading import read
 from .verdict import CORRECT, OPEN, PARTLY, WRONG, Verdict
 
 NEAR = 1e-12
-SMALL = Rational(1, 10**40)
 ADVICE = "Right. Write fractions, such as 1/3, and the answer is exact."
-SHAPES = {"number": 0, "point": 1, "points": 2, "matrix": 2}
+SHAPES = {"number": 0, "point": 1, "numbers": 1, "points": 2, "matrix": 2}
+EXAMPLES = {
+    "number": "a number like 2, -5/3 or 0.25",
+    "point": "a point like (1/2, 3)",
+    "numbers": "a list of numbers like (1/2, 3, 0)",
+    "points": "a list of points like [(0, 0), (1/2, 1)]",
+    "matrix": "a matrix, a list of rows like [[1, 0], [1/2, 1]],",
+}
 
 
 def value_of(kind, answer):
@@ -30,14 +37,6 @@ def value_of(kind, answer):
             raise InvalidAnswer(f"{_at(place)}{leaf} is no number")
     _check_shape(kind, value)
     return value
-
-
-EXAMPLES = {
-    "number": "a number like 2, -5/3 or 0.25",
-    "point": "a point like (1/2, 3)",
-    "points": "a list of points like [(0, 0), (1/2, 1)]",
-    "matrix": "a matrix, a list of rows like [[1, 0], [1/2, 1]],",
-}
 
 
 def _check_shape(kind, value):
@@ -86,7 +85,7 @@ def same(given, right):
 
 def _same_number(given, right):
     if isinstance(given, Basic) or isinstance(right, Basic):
-        return _is_zero(_sympy(given) - _sympy(right))
+        return is_zero(_sympy(given) - _sympy(right))
     if isinstance(given, float):
         return abs(Fraction(given) - right) <= NEAR * max(1, abs(right))
     return given == right
@@ -94,13 +93,6 @@ def _same_number(given, right):
 
 def _sympy(value):
     return Rational(value.numerator, value.denominator) if isinstance(value, Fraction) else sympify(value)
-
-
-def _is_zero(difference):
-    """Whether a number with roots is 0: what SymPy's rules bring to 0 is, and what is not small in 50 digits is not."""
-    if radsimp(expand(difference)) == 0:
-        return True
-    return None if abs(difference.evalf(50)) < SMALL else False
 
 
 def compared(given, right, mistakes):

@@ -1,6 +1,7 @@
 """Numbers that divide exactly, Fractions and SymPy expressions, and what is known of their signs."""
 
 from fractions import Fraction
+from numbers import Rational
 
 import numpy as np
 
@@ -8,6 +9,13 @@ import numpy as np
 def exact(values):
     """The numbers as Fractions or SymPy expressions, which divide exactly."""
     return np.frompyfunc(lambda x: Fraction(x) if isinstance(x, (int, float)) else x, 1, 1)(values)
+
+
+def nested(value):
+    """An array, or points in lists, as nested tuples of Fractions; what is no fraction of whole numbers stays."""
+    if np.ndim(value):
+        return tuple(map(nested, value))
+    return Fraction(value) if isinstance(value, Rational) else value
 
 
 def tidy(values):

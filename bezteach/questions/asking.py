@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..numeric.exact import nested
+
 LONGEST = 500
 _TOKEN = re.compile(
     r"\s*(?:(?P<number>[-+−－]?\d{1,40}(?:\.\d{1,40}|\s*[/／]\s*\d{1,40})?)|(?P<mark>[()\[\],;，；（）]))"
@@ -62,14 +64,14 @@ def judge(question, answer):
         given = read(answer)
     except ValueError as problem:
         return None, f"{problem} Write it like {question.example}."
-    return _compared(given, _exact(question.right()), question.mistakes(), question.example.startswith("("))
+    return _compared(given, nested(question.right()), question.mistakes(), question.example.startswith("("))
 
 
 def _compared(given, right, mistakes, points):
     if given == right:
         return True, "Right."
     for mistake, feedback in mistakes:
-        if given == _exact(mistake):
+        if given == nested(mistake):
             return False, feedback
     if _shape(given) != _shape(right):
         return False, f"The answer is {_named(_shape(right), points)}; yours is {_named(_shape(given), points)}."
@@ -136,13 +138,6 @@ def _answer(loose, points):
         raise ValueError("The points have different numbers of coordinates.")
     several = tuple(points or loose)
     return several if len(several) > 1 else several[0]
-
-
-def _exact(answer):
-    """An array or number of the project's as nested tuples of Fractions."""
-    if np.ndim(answer):
-        return tuple(map(_exact, answer))
-    return Fraction(answer)
 
 
 def _shape(answer):

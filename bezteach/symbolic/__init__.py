@@ -14,6 +14,7 @@ from .operator import apply, binomial_theorem, step
 from .power import basis_matrix, from_power, power_matrix, to_power
 from .printing import latex
 from .symbols import E, b, i, j, k, n, r, t, u
+from .text import text
 
 __all__ = [
     "B",
@@ -43,6 +44,7 @@ __all__ = [
     "segment",
     "step",
     "t",
+    "text",
     "to_power",
     "u",
 ]

@@ -49,7 +49,7 @@ BOOK = {
             ("t^2 b_0 + 2t(1-t) b_1 + (1-t)^2 b_2", "exchanged"),
             ("(1-t)^2 b_0 + t(1-t) b_1 + t^2 b_2", "must sum to 1"),
             ("(1-t) b_1 + t b_2", "first level"),
-            ("b_0", "your formula is b[0]"),
+            ("b_0", "your formula is b_0"),
         ],
     ),
     "08-splitting/front-weight": (

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import pytest
 from parsing_texts import READ, REFUSED
+from sympy import Expr
 
-from bezteach import parsing
+from bezteach import parsing, symbolic
 from bezteach.parsing import InvalidAnswer, parse, parse_given
 from bezteach.parsing.calls import RULES
 from bezteach.parsing.names import ADVICE, COMMAND_ADVICE, COMMANDS, FUNCTIONS, LETTERS
@@ -20,6 +21,13 @@ def test_what_is_typed_is_read(text):
     assert result == expected
     if not isinstance(expected, tuple):
         assert type(result) is type(expected)
+
+
+@pytest.mark.parametrize("typed", READ)
+def test_what_is_read_can_be_written_and_read_again(typed):
+    for found in parse(typed) if isinstance(READ[typed], tuple) else (parse(typed),):
+        if isinstance(found, Expr):
+            assert parse(symbolic.text(found)) == found
 
 
 @pytest.mark.parametrize("letter", LETTERS)

@@ -19,6 +19,7 @@ from sympy import (
     zoo,
 )
 
+from bezteach import symbolic
 from bezteach.parsing import InvalidAnswer, parse, parse_given
 from bezteach.parsing.names import FUNCTIONS, LETTERS
 from bezteach.symbolic import B, E, b, i, n, t, u
@@ -96,17 +97,18 @@ def branches(tree):
     )
 
 
-@given(st.recursive(LEAVES, branches, max_leaves=8))
-def test_what_sympy_prints_is_read_again(expr):
+@pytest.mark.parametrize("printed", [str, symbolic.text])
+@given(expr=st.recursive(LEAVES, branches, max_leaves=8))
+def test_what_is_printed_is_read_again(printed, expr):
     assume(not expr.has(nan, zoo, oo, I))
-    text = str(expr)
+    text = printed(expr)
     try:
         result = parse(text)
     except InvalidAnswer as error:
         assert any(word in str(error) for word in ("degree", "more than 3 sums", "negative", "short formula", "up to"))
         assume(False)
     # a product that SymPy built from the inside may print as one that it multiplies out when it is built in line
-    assert result == expr or str(result) == text or (result - expr).expand() == 0
+    assert result == expr or printed(result) == text or (result - expr).expand() == 0
 
 
 @given(st.recursive(LEAVES, branches, max_leaves=8), st.data())

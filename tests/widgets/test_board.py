@@ -14,11 +14,12 @@ from sympy import Rational
 
 from bezteach import numeric
 from bezteach.numeric import sign_changes
+from bezteach.numeric.hull import hull
 from bezteach.widgets import Board
 from bezteach.widgets.board import LAYERS, svg
 from bezteach.widgets.board.counting import roots_inside
 from bezteach.widgets.board.export import page
-from bezteach.widgets.board.scene import end_circle, hull, scene
+from bezteach.widgets.board.scene import end_circle, scene
 from bezteach.widgets.board.state import State, exact, from_json, state_of, to_json
 
 CUBIC = ((0, 0), (1, 3), (2, 1), (3, 3))

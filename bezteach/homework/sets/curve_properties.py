@@ -3,15 +3,15 @@
 from fractions import Fraction as F
 
 import numpy as np
-from sympy import Ge, Integer, Interval, Rational, Sum, binomial, oo, sstr
+from sympy import Ge, Integer, Interval, Rational, Sum, binomial, oo
 from sympy.abc import x, y
 
 from bezteach import numeric
-from bezteach.display import point, points
+from bezteach.display import point
 from bezteach.examples import EXAMPLES
-from bezteach.symbolic import B, i, j, n, t
+from bezteach.symbolic import B, i, j, n, t, text
 
-from ..kinds import Set, asks_derivation, asks_formula, asks_position, asks_truth, asks_value
+from ..kinds import Set, asks_derivation, asks_formula, asks_position, asks_truth, asks_value, listed
 
 BOOK = {
     "cubic": EXAMPLES["deck/split"].given["points"],
@@ -44,10 +44,6 @@ def draw(chance):
         "axis": foot[0] + chance.randint(2, 4),
         "top": foot[1] + 3 * chance.randint(1, 2),
     }
-
-
-def _listed(control_points):
-    return f"{points(control_points)}".replace("   ", ", ")
 
 
 def _array(control_points):
@@ -166,7 +162,7 @@ SET = Set(
         "clock": asks_value(
             "point",
             lambda data: (
-                f"The cubic {_listed(data['cubic'])} is run through while u goes from {data['interval'][0]} to "
+                f"The cubic {listed(data['cubic'])} is run through while u goes from {data['interval'][0]} to "
                 f"{data['interval'][1]}. Its velocity at the end, measured in u, as a vector?"
             ),
             _clock,
@@ -196,8 +192,8 @@ SET = Set(
         "image": asks_value(
             "points",
             lambda data: (
-                f"p is the cubic {_listed(data['cubic'])}. A map sends (x, y) to ({sstr(x - y + data['shift'][0])}, "
-                f"{sstr(y + data['shift'][1])}). The curve q(t) is the image of p(1 - t). Its four control points, in "
+                f"p is the cubic {listed(data['cubic'])}. A map sends (x, y) to ({text(x - y + data['shift'][0])}, "
+                f"{text(y + data['shift'][1])}). The curve q(t) is the image of p(1 - t). Its four control points, in "
                 f"its own order?"
             ),
             _image,

@@ -4,15 +4,15 @@ from fractions import Fraction as F
 from math import factorial
 
 import numpy as np
-from sympy import Eq, Interval, Sum, binomial, oo, sstr
+from sympy import Eq, Interval, Sum, binomial, oo
 
 from bezteach import numeric
-from bezteach.display import point, points
+from bezteach.display import point
 from bezteach.examples import EXAMPLES
-from bezteach.symbolic import B, b, i, j, n, t
+from bezteach.symbolic import B, b, i, j, n, t, text
 
 from ..formulas import is_bernstein
-from ..kinds import Set, asks_derivation, asks_formula, asks_position, asks_truth, asks_value
+from ..kinds import Set, asks_derivation, asks_formula, asks_position, asks_truth, asks_value, listed
 
 ARCH = EXAMPLES["deck/segment"].given["points"]
 BOOK = {
@@ -49,10 +49,6 @@ def draw(chance):
         "velocity": (turn(3), turn(3)),
         "middle": (start[0] + chance.randint(2, 4), start[1] + chance.randint(2, 4)),
     }
-
-
-def _listed(control_points, name="b"):
-    return f"{points(control_points, name)}".replace("   ", ", ")
 
 
 def _vertices(data):
@@ -170,7 +166,7 @@ SET = Set(
     {
         "walk": asks_value(
             "point",
-            lambda data: f"In Bézier's form a cubic has {_listed(data['walk'], 'a')}. Its point at t = {data['t']}?",
+            lambda data: f"In Bézier's form a cubic has {listed(data['walk'], 'a')}. Its point at t = {data['t']}?",
             lambda data: numeric.evaluate(_vertices(data), data["t"]),
             _walk_mistakes,
             ("Walk first: where are the four vertices?", "Then weigh them with the Bernstein functions of degree 3."),
@@ -187,7 +183,7 @@ SET = Set(
         ),
         "combination": asks_formula(
             lambda data: (
-                f"Write q(t) = {sstr(_polynomial(data['powers'])).replace('**', '^').replace('*', ' ')} as a "
+                f"Write q(t) = {text(_polynomial(data['powers'])).replace('*', ' ')} as a "
                 f"combination of B(0,3,t), B(1,3,t), B(2,3,t) and B(3,3,t), with numbers before them."
             ),
             lambda data: _combined(numeric.from_power(data["powers"])),
@@ -202,7 +198,7 @@ SET = Set(
         "powers": asks_value(
             "points",
             lambda data: (
-                f"The cubic {_listed(data['cubic'])} is written as c_0 + c_1 t + c_2 t^2 + c_3 t^3. Give c_0, c_1, "
+                f"The cubic {listed(data['cubic'])} is written as c_0 + c_1 t + c_2 t^2 + c_3 t^3. Give c_0, c_1, "
                 f"c_2, c_3 in this order."
             ),
             lambda data: numeric.to_power(data["cubic"]),

@@ -8,11 +8,10 @@ from sympy import Derivative, Eq, Integer, Integral, Interval, Sum, oo, symbols
 
 from bezteach import numeric
 from bezteach.display import point
-from bezteach.display import points as shown
 from bezteach.examples import EXAMPLES
 from bezteach.symbolic import B, b, i, n, t
 
-from ..kinds import Set, asks_derivation, asks_formula, asks_position, asks_truth, asks_value
+from ..kinds import Set, asks_derivation, asks_formula, asks_position, asks_truth, asks_value, listed
 
 SEGMENT = EXAMPLES["deck/segment"].given
 BOOK = {
@@ -49,10 +48,6 @@ def draw(chance):
         "end": (chance.randint(4, 8), chance.randint(-1, 1)),
         "velocity": (3 * chance.randint(0, 2), 3 * chance.choice([-3, -2, 2, 3])),
     }
-
-
-def _written(points):
-    return f"{shown(points)}".replace("   ", ", ")
 
 
 def _velocity_mistakes(data):
@@ -192,7 +187,7 @@ SET = Set(
     {
         "velocity": asks_value(
             "point",
-            lambda data: f"The vector p'({data['t']}) of the cubic {_written(data['cubic'])}.",
+            lambda data: f"The vector p'({data['t']}) of the cubic {listed(data['cubic'])}.",
             lambda data: numeric.derivative(data["cubic"], data["t"]),
             _velocity_mistakes,
             (
@@ -213,7 +208,7 @@ SET = Set(
         "curvature": asks_value(
             "number",
             lambda data: (
-                f"The curvature at t = 1 of the cubic {_written(data['bend'])}, as an exact fraction, positive where "
+                f"The curvature at t = 1 of the cubic {listed(data['bend'])}, as an exact fraction, positive where "
                 "the curve turns left."
             ),
             lambda data: _curvature(data["bend"], 1),
@@ -222,7 +217,7 @@ SET = Set(
         ),
         "highest": asks_value(
             "point",
-            lambda data: f"The highest point of the parabola {_written(data['arch'])}, 0 <= t <= 1.",
+            lambda data: f"The highest point of the parabola {listed(data['arch'])}, 0 <= t <= 1.",
             lambda data: numeric.evaluate(data["arch"], _highest(data)),
             _highest_mistakes,
             (

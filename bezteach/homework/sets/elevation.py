@@ -8,11 +8,11 @@ import numpy as np
 from sympy import Eq, Interval, Le, Sum, binomial, oo
 
 from bezteach import numeric
-from bezteach.display import point, points
+from bezteach.display import point
 from bezteach.examples import EXAMPLES
 from bezteach.symbolic import B, b, i, j, n, r, t
 
-from ..kinds import Set, asks_derivation, asks_formula, asks_position, asks_truth, asks_value
+from ..kinds import Set, asks_derivation, asks_formula, asks_position, asks_truth, asks_value, listed
 
 BOOK = {
     "cubic": EXAMPLES["deck/split"].given["points"],
@@ -43,10 +43,6 @@ def draw(chance):
         "from": (start, 0),
         "to": (start + 3 * way[0], 3 * way[1]),
     }
-
-
-def _listed(control_points, name="b"):
-    return f"{points(control_points, name)}".replace("   ", ", ")
 
 
 def _on_edges(control_points, shares):
@@ -172,14 +168,14 @@ SET = Set(
     {
         "elevated": asks_value(
             "points",
-            lambda data: f"The cubic {_listed(data['cubic'])} is written with degree 4. All five control points?",
+            lambda data: f"The cubic {listed(data['cubic'])} is written with degree 4. All five control points?",
             lambda data: numeric.elevate(data["cubic"]),
             _elevated_mistakes,
             ("The ends stay, and on every edge there is one new point.", "c_i = i/4 b_(i-1) + (1 - i/4) b_i."),
         ),
         "twice": asks_value(
             "points",
-            lambda data: f"The parabola {_listed(data['parabola'])} is written with degree 4. All five control points?",
+            lambda data: f"The parabola {listed(data['parabola'])} is written with degree 4. All five control points?",
             lambda data: numeric.elevate(data["parabola"], 2),
             _twice_mistakes,
             ("Two steps, one after the other.", "The first step divides by 3, the second one by 4."),
@@ -187,7 +183,7 @@ SET = Set(
         "back": asks_value(
             "points",
             lambda data: (
-                f"The curve {_listed(_raised(data), 'c')}, written with degree 4, is in truth a cubic. "
+                f"The curve {listed(_raised(data), 'c')}, written with degree 4, is in truth a cubic. "
                 f"Its four control points?"
             ),
             lambda data: numeric.lower(_raised(data)),
@@ -198,9 +194,9 @@ SET = Set(
             ),
         ),
         "times-t": asks_value(
-            "point",
+            "numbers",
             lambda data: (
-                f"p(t) has degree 2 and the control heights {_listed(data['heights'])}. Give the four control heights "
+                f"p(t) has degree 2 and the control heights {listed(data['heights'])}. Give the four control heights "
                 f"of t p(t), written with degree 3, as a list of numbers."
             ),
             _times_t,
@@ -213,7 +209,7 @@ SET = Set(
         "loss": asks_value(
             "number",
             lambda data: (
-                f"A function of degree 4 has the control heights {_listed(data['quartic'])}. The nearest function of "
+                f"A function of degree 4 has the control heights {listed(data['quartic'])}. The nearest function of "
                 f"degree 3 (least squares) is taken in its place. How large is the error where it is largest on [0, 1]?"
             ),
             _loss,

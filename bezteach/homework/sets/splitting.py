@@ -5,11 +5,10 @@ from fractions import Fraction as F
 from sympy import Eq, Interval, oo
 
 from bezteach import numeric
-from bezteach.display import points as shown
 from bezteach.examples import EXAMPLES
 from bezteach.symbolic import B, b, i, n, t
 
-from ..kinds import Set, asks_derivation, asks_formula, asks_truth, asks_value
+from ..kinds import Set, asks_derivation, asks_formula, asks_truth, asks_value, listed
 
 SPLIT, SEGMENT = EXAMPLES["deck/split"], EXAMPLES["deck/segment"]
 BOOK = {
@@ -80,10 +79,6 @@ def _local_mistakes(data):
     ]
 
 
-def _cubic_at(name):
-    return lambda data: f"{shown(data[name])}".replace("   ", ", ")
-
-
 UNITY = """sum(B(i, n, t), i, 0, n)
 = sum(C(n, i) t^i (1-t)^(n-i), i, 0, n)
 = 1"""
@@ -94,7 +89,7 @@ SET = Set(
     {
         "point": asks_value(
             "point",
-            lambda data: f"The point at t = {data['t']} of the cubic {_cubic_at('points')(data)}.",
+            lambda data: f"The point at t = {data['t']} of the cubic {listed(data['points'])}.",
             lambda data: numeric.evaluate(data["points"], data["t"]),
             lambda data: [
                 (
@@ -114,14 +109,14 @@ SET = Set(
         ),
         "left": asks_value(
             "points",
-            lambda data: f"The control points of the part before t = {data['t']} of {_cubic_at('points')(data)}.",
+            lambda data: f"The control points of the part before t = {data['t']} of {listed(data['points'])}.",
             _half(0),
             _half_mistakes(0),
             ("Draw the triangle of intermediate points.", "The first point of each level."),
         ),
         "right": asks_value(
             "points",
-            lambda data: f"The control points of the part after t = {data['t']} of {_cubic_at('points')(data)}.",
+            lambda data: f"The control points of the part after t = {data['t']} of {listed(data['points'])}.",
             _half(1),
             _half_mistakes(1),
             ("It starts where the other half ends.", "The last point of each level, from the last level back."),
@@ -138,9 +133,7 @@ SET = Set(
         ),
         "part": asks_value(
             "points",
-            lambda data: (
-                f"The control points of the part over [{data['a']}, {data['b']}] of {_cubic_at('arch')(data)}."
-            ),
+            lambda data: f"The control points of the part over [{data['a']}, {data['b']}] of {listed(data['arch'])}.",
             _part,
             _part_mistakes,
             ("Two cuts, one after the other.", "The second at the local parameter, not at the original one."),

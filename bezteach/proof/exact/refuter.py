@@ -8,10 +8,12 @@ from collections.abc import Iterator
 from operator import eq, ge, gt, le, lt
 from typing import NamedTuple
 
+from bezteach.symbolic import text
+
 from ..budget import Budget
 from ..errors import OutOfTime, Undefined, Unsupported
 from .evaluate import evaluator
-from .polynomial import Polynomial
+from .polynomial import Polynomial, to_sympy
 from .walk import real_points, widest
 
 COMPARE = {"=": eq, ">=": ge, ">": gt, "<=": le, "<": lt}
@@ -35,7 +37,7 @@ class Counterexample(NamedTuple):
 
 def shown(value):
     """A value in words."""
-    return f"undefined ({value})" if isinstance(value, Undefined) else str(value)
+    return f"undefined ({value})" if isinstance(value, Undefined) else text(to_sympy(value))
 
 
 class Search(NamedTuple):

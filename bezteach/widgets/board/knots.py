@@ -1,7 +1,5 @@
 """The knots of a board: read and checked, and the pieces of the spline between them."""
 
-from fractions import Fraction
-
 import numpy as np
 
 from ...numeric import bspline
@@ -44,8 +42,7 @@ def inner(state):
 
 def stacks(knots):
     """Places (t, y) of the knots in their line: equal ones stand under each other."""
-    rows = [Fraction(knot) for knot in knots]
-    return [(float(knot), -ROW * (1 + rows[:i].count(knot))) for i, knot in enumerate(rows)]
+    return [(float(knot), -ROW * (1 + knots[:i].count(knot))) for i, knot in enumerate(knots)]
 
 
 def line_view(ends, degree):

@@ -5,6 +5,7 @@ from fractions import Fraction
 import numpy as np
 
 from ... import numeric
+from ...numeric.hull import hull
 from .blocks import name_of
 from .crossings import curve_crossings, polygon_crossings
 from .joining import frames, local, natural, pieces
@@ -91,27 +92,6 @@ def _hull(points, state):
     (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
     box = [(x0, y0), (x1, y0), (x1, y1), (x0, y1), (x0, y0)]
     return [mark("area", hull(state.points), "hull"), mark("line", box, "box")]
-
-
-def hull(points):
-    """The corners of the convex hull, counter-clockwise from the lowest of the leftmost points (Andrew's chains)."""
-    ordered = sorted(set(map(tuple, points)))
-    if len(ordered) < 3:
-        return ordered
-    return _chain(ordered)[:-1] + _chain(ordered[::-1])[:-1]
-
-
-def _chain(ordered):
-    corners = []
-    for point in ordered:
-        while len(corners) > 1 and _turn(corners[-2], corners[-1], point) <= 0:
-            corners.pop()
-        corners.append(point)
-    return corners
-
-
-def _turn(p, q, r):
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 
 
 def _circle(points, state):

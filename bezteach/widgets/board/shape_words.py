@@ -7,10 +7,10 @@ import numpy as np
 from ... import numeric
 from ...display import number, point
 from ...numeric import sign_changes
+from ...numeric.hull import hull
 from .blocks import Block, cells, exact_array, name_of, root_of, times
 from .counting import roots_inside
 from .crossings import heights
-from .scene import hull
 
 
 def hull_said(state):

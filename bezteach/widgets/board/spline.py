@@ -1,11 +1,10 @@
 """Marks of a B-spline curve, and of the line of its knots, which is the second frame of the picture."""
 
-from itertools import groupby
-
 import numpy as np
 
 from ... import numeric
 from ...numeric import bspline
+from ...numeric.hull import hull
 from .blocks import name_of
 from .joining import CURVES
 from .knots import degree_of, domain_of, graphs, inner, span_of, stacks
@@ -36,8 +35,6 @@ def breaks(points, state):
 
 def span(points, state):
     """The control points that decide on the span of t, and their hull, in which it lies."""
-    from .scene import hull  # which paints these layers too
-
     k, p = span_of(state), degree_of(state)
     piece = bspline.to_bezier(points[k - p : k + 1], _floats(state)[k - p : k + p + 2])[0][0]
     near = state.points[k - p : k + 1]
@@ -68,17 +65,12 @@ def functions(points, state):
 def line(state):
     """What is always seen of the line: the domain, the axis, the values of the knots under their stacks."""
     (a, b), knots = domain_of(state.points, state.knots), state.knots
-    under = [(places[-1], str(knot)) for knot, places in _stacked(knots)]
+    lowest = dict(zip(knots, stacks(knots), strict=True))  # the last one of a stack
     return [
         mark("area", [(a, 0), (b, 0), (b, 1), (a, 1)], "hull", 1),
         mark("line", [(knots[0], 0), (knots[-1], 0)], "axis", 1),
-        *(Mark("below", rows([place]), words=(value,), frame=1) for place, value in under),
+        *(Mark("below", rows([place]), words=(str(knot),), frame=1) for knot, place in lowest.items()),
     ]
-
-
-def _stacked(knots):
-    paired = zip(knots, stacks(knots), strict=True)
-    return [(knot, [place for _, place in stack]) for knot, stack in groupby(paired, key=lambda pair: pair[0])]
 
 
 def _floats(state):

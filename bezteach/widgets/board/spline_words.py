@@ -4,6 +4,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from ... import numeric
 from ...display import number, point
 from ...numeric import bspline
 from .blocks import Block, cells, exact_array, name_of, times
@@ -37,9 +38,7 @@ def breaks_said(state):
 
 def _derivatives(piece, length):
     """Of a Bézier piece over an interval of this length, the derivatives of order 0 to p, at both ends."""
-    levels = [piece]
-    for degree in range(len(piece) - 1, 0, -1):
-        levels.append(degree * np.diff(levels[-1], axis=0) / length)
+    levels = [numeric.hodograph(piece, r) / length**r for r in range(len(piece))]
     return [[level[end] for level in levels] for end in (0, -1)]
 
 

@@ -2,7 +2,7 @@
 
 from ..board import Board
 
-LAYERS = ("span", "polygon", "spline", "breaks", "deboor", "functions")
+SHOWN = ("span", "polygon", "spline", "breaks", "functions")
 
 
 def explore_bspline(points, knots, t=None, **settings):
@@ -12,5 +12,4 @@ def explore_bspline(points, knots, t=None, **settings):
     domain, in its middle if none is given. Further settings are those of ``Board``. ``ValueError`` names the rule that
     points, knots or t break.
     """
-    shown = ("span", "polygon", "spline", "breaks", "functions")
-    return Board(points, t, knots=knots, **{"show": shown, "offer": LAYERS} | settings)
+    return Board(points, t, knots=knots, **{"show": SHOWN, "offer": (*SHOWN, "deboor")} | settings)

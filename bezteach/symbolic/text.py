@@ -1,0 +1,53 @@
+"""Formulas as plain text, in the words that the parser reads: C(n, i), t^i, b_(i - 1), sum(B(i, n, t), i, 0, n)."""
+
+from itertools import chain
+
+from sympy import Indexed
+from sympy.printing.str import StrPrinter
+
+
+class _TextPrinter(StrPrinter):
+    printmethod = "_text"  # and not "_sympystr", by which an Indexed prints itself
+
+    def _print_Indexed(self, expr):
+        index, *others = expr.indices
+        if others:
+            return str(expr)
+        plain = index.is_Symbol or (index.is_Integer and index >= 0)
+        return f"{expr.base}_{index}" if plain else f"{expr.base}_({self._print(index)})"
+
+    def _print_binomial(self, expr):
+        return f"C({self.stringify(expr.args, ', ')})"
+
+    def _print_Sum(self, expr):
+        return self._bound("sum", expr)
+
+    def _print_Integral(self, expr):
+        return self._bound("int", expr)
+
+    def _bound(self, name, expr):
+        inside = self._print(expr.function)
+        for limits in expr.limits:
+            inside = f"{name}({inside}, {self.stringify(limits, ', ')})"
+        return inside
+
+    def _print_Derivative(self, expr):
+        orders = [(symbol,) if count == 1 else (symbol, count) for symbol, count in expr.variable_count]
+        return f"diff({self.stringify([expr.expr, *chain(*orders)], ', ')})"
+
+    def _print_Pow(self, expr, rational=False):
+        printed = super()._print_Pow(expr, rational)
+        if isinstance(expr.base, Indexed):  # b_1^2 is a point on the way: only b[1]^2 is a power
+            printed = printed.replace(f"{self._print(expr.base)}**", f"{expr.base}**")
+        return printed.replace("**", "^")
+
+
+def text(expr):
+    """A formula as a line of plain text, which ``parsing.parse`` reads again.
+
+    >>> from bezteach.symbolic import B, b, i, n, t
+    >>> from sympy import Sum
+    >>> print(text(Sum(b[i] * B(i, n, t), (i, 0, n))), text(t**2 * b[i - 1]))
+    sum(B(i, n, t)*b_i, i, 0, n) t^2*b_(i - 1)
+    """
+    return _TextPrinter().doprint(expr)
