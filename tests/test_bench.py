@@ -25,6 +25,32 @@ def test_a_statement(text, given, status):
         assert judge(text, given).status == status
 
 
+@pytest.mark.parametrize(
+    ("text", "where", "within"),
+    [
+        ("t/t = 1", "t = 0: undefined", "0 < t <= 1"),
+        ("1/(n-12) - 1/(n-12) = 0", "n = 12: undefined", "n > 12"),
+        ("0*(1/(3t-2)) = 0", "t = 2/3: undefined", "0 <= t < 2/3"),
+        ("(1/(n-12))^0 = 1", "n = 12: undefined", "n <= 11"),
+        ("1/(1/t) = t", "t = 0: undefined", "t > 0"),
+        ("C(n-3, 0) = 1", "n = 0: undefined", "n >= 3"),
+        ("(n-3)!/(n-3)! = 1", "n = 0: undefined", "n >= 3"),
+        ("t t^(i-1) = t^i", "i = 0, t = 0: undefined", "i >= 1"),
+        ("t^i t^(n-i) = t^n", "n = 0, i = 1, t = 0: undefined", "0 <= i <= n"),
+        ("B(i,n-1,t) - B(i,n-1,t) = 0", "n = 0, i = 0, t = 1/2: undefined", "n >= 1"),
+        ("sum((i-12)/(i-12), i, 0, n) = n + 1", "n = 12: undefined", "n <= 11"),
+        ("sum((n+12-i)/(n+12-i), i, 0, 2n) = 2n + 1", "n = 12: undefined", "n <= 11"),
+        ("b[n/n] = b_1", "n = 0: undefined", "n >= 1"),
+        ("diff(1/(n-12) - 1/(n-12), t) = 0", "n = 12, t = 1/2: undefined", "n > 12"),
+        ("(1-t)B(i,n,t)/(1-t) = B(i,n,t)", "n = 0, i = 0, t = 1: undefined", "0 <= t < 1"),
+    ],
+)
+def test_what_has_no_value_is_not_cancelled(text, where, within):
+    verdict = judge(text)
+    assert verdict.status == "REFUTED" and where in f"{verdict.counterexample}"
+    assert judge(text, within).status == "PROVED"
+
+
 def test_a_derivation_names_its_first_wrong_line():
     """The deck's proof of the recursion: its third line has the exponents wrong."""
     judgement = judge(

@@ -15,7 +15,7 @@ def nested(value):
     """An array, or points in lists, as nested tuples of Fractions; what is no fraction of whole numbers stays."""
     if np.ndim(value):
         return tuple(map(nested, value))
-    return Fraction(value) if isinstance(value, Rational) else value
+    return Fraction(int(value.numerator), int(value.denominator)) if isinstance(value, Rational) else value
 
 
 def tidy(values):

@@ -25,11 +25,12 @@ LaTeX       \frac \tfrac \binom \sqrt \cdot \times \left \right \le \ge \equiv \
 characters  full-width and mathematical forms of Latin letters, digits and signs, − × · ÷ ≤ ≥ √ ∑ ∫, ², ⁿ⁻¹ and b₁ are
             read; letters that only look like Latin ones and invisible characters are errors that name them.
 
-The result is what SymPy makes of the formula written in Python, so 2*(1 - t) is 2 - 2*t. Sums, integrals, derivatives
-and absolute values stay as they are. Bounds: 2000 characters, 400 parts, 40 levels, 40 digits, exponents to 200, 400!,
-64 items in a list; exponents, indices, limits and what stands before ! are numbers or polynomials of degree 2 in
-letters; powers multiply up to degree 400, numbers to 4000 digits; three sums inside one another; 16 roots, three inside
-one another, of letters, points and numbers to 12 digits.
+The result is what SymPy makes of the formula written in Python, so 2*(1 - t) is 2 - 2*t; but what may have no value is
+not cancelled, so t/t and C(n-3, 0) stay as they are. So do sums, integrals, derivatives and absolute values. Bounds:
+2000 characters, 400 parts, 40 levels, 40 digits, exponents to 200, 400!, 64 items in a list; exponents, indices, limits
+and what stands before ! are numbers or polynomials of degree 2 in letters; powers multiply up to degree 400, numbers to
+4000 digits; three sums inside one another; 16 roots, three inside one another, of letters, points and numbers to 12
+digits.
 """
 
 from functools import partial

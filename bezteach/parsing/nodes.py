@@ -1,13 +1,33 @@
 """SymPy nodes, each built after its bounds are checked, so that no text is dear to read and no result dear to use."""
 
-import operator
 from typing import Any, NamedTuple
 
-from sympy import Add, Eq, Expr, Ge, Gt, I, Indexed, Le, Lt, Mul, Pow, Rational, Symbol, binomial, factorial, zoo
+from sympy import (
+    Add,
+    Eq,
+    Expr,
+    Ge,
+    Gt,
+    I,
+    Indexed,
+    Integer,
+    Le,
+    Lt,
+    Mul,
+    Pow,
+    Rational,
+    Symbol,
+    binomial,
+    factorial,
+    nan,
+    oo,
+    zoo,
+)
 
 from ..symbolic import B, E
 from .errors import InvalidAnswer
 from .names import POINTS, WHOLE
+from .undefined import kept
 
 MAX_DIGITS = 40
 MAX_EXPONENT = 200
@@ -18,7 +38,6 @@ MAX_RESULT_DIGITS = 4000
 MAX_ROOT_DIGITS = 12
 MAX_DEGREE = 400
 
-_OPERATIONS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv}
 _RELATIONS = {"=": Eq, "<": Lt, "<=": Le, ">": Gt, ">=": Ge}
 _SYMBOLIC_EXPONENT = 8  # what a power with letters in its exponent counts as, when powers of powers are bounded
 
@@ -51,18 +70,22 @@ def calculate(sign, left, right, position):
     """left + right, left - right, left * right or left / right; the position is the sign's."""
     if sign == "/" and right == 0:
         raise InvalidAnswer("this divides by zero: change the denominator", position)
-    return _built(position, _OPERATIONS[sign], left, right)
+    if sign == "-":
+        right = negative(right, position)
+    if sign == "/":
+        right = _built(position, Pow, right, Integer(-1))
+    return _built(position, Add if sign in "+-" else Mul, left, right)
 
 
 def negative(value, position):
-    return _built(position, operator.neg, value)
+    return _built(position, Mul, Integer(-1), value)
 
 
 def power(base, exponent, position):
     """base ** exponent; the position is the exponent's."""
     short_formula(exponent, "an exponent", MAX_EXPONENT, position, letters=None)
     _refuse_dear_power(base, exponent, position)
-    result = _built(position, operator.pow, base, exponent)
+    result = _built(position, Pow, base, exponent)
     if result.has(zoo):
         raise InvalidAnswer("this divides by zero: 0 has no negative power", position)
     if result.has(I):
@@ -192,16 +215,19 @@ def _nodes(value):
 
 
 def _built(position, build, *args):
-    """What ``build`` makes, if its numbers have few enough digits."""
+    """The node, as SymPy evaluates it if nothing gets lost that may have no value, and if its numbers are short."""
     try:
+        as_written = build(*args, evaluate=False)
         result = build(*args)
     except (ArithmeticError, TypeError, ValueError, NotImplementedError) as error:
         raise InvalidAnswer("this cannot be calculated: write it in a simpler way", position) from error
+    if result.has(zoo, nan, oo, I):
+        return result
     for term in Add.make_args(result):
         coefficient = term.as_coeff_Mul()[0]
         if coefficient.is_Rational and max(abs(coefficient.p), coefficient.q).bit_length() > _bits(MAX_RESULT_DIGITS):
             raise InvalidAnswer(f"this number has more than {MAX_RESULT_DIGITS} digits: take a smaller one", position)
-    return result
+    return kept(result, as_written)
 
 
 def _bits(digits):

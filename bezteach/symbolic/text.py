@@ -9,6 +9,9 @@ from sympy.printing.str import StrPrinter
 class _TextPrinter(StrPrinter):
     printmethod = "_text"  # and not "_sympystr", by which an Indexed prints itself
 
+    def _as_ordered_terms(self, expr, order=None):
+        return sorted(super()._as_ordered_terms(expr, order), key=lambda term: term.could_extract_minus_sign())
+
     def _print_Indexed(self, expr):
         index, *others = expr.indices
         if others:

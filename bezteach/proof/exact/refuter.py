@@ -14,6 +14,7 @@ from ..budget import Budget
 from ..errors import OutOfTime, Undefined, Unsupported
 from .evaluate import evaluator
 from .polynomial import Polynomial, to_sympy
+from .roots import roots
 from .walk import real_points, widest
 
 COMPARE = {"=": eq, ">=": ge, ">": gt, "<=": le, "<": lt}
@@ -59,6 +60,8 @@ class Search(NamedTuple):
 def counterexample(statement, budget=None):
     """Look for the smallest counterexample: n from the lower end of its range, then the other integers, then the reals.
 
+    After the walk, the points at which a divisor vanishes.
+
     >>> from bezteach.symbolic import B, i, n, t
     >>> from bezteach.proof.statement import statement
     >>> counterexample(statement(t * B(i, n, t), (i + 1) / (n + 1) * B(i, n + 1, t))).counterexample
@@ -74,8 +77,13 @@ def counterexample_at(statement, integers, budget, count):
 
 
 def _walk(statement, budget):
+    first = []
     for integers in widest(statement.ranges, budget):
-        yield from real_points(statement.ranges, integers, None, budget)
+        for values in real_points(statement.ranges, integers, None, budget):
+            if len(first) < 2:
+                first.append(values)
+            yield values
+    yield from roots(statement, first, budget)
 
 
 def search(probe, points: Iterator, budget):

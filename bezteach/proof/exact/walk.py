@@ -79,6 +79,24 @@ def _span(symbol, found, before):
     return span
 
 
+def is_allowed(values, ranges, budget):
+    """Whether a point is in the ranges, and a whole number wherever one must be."""
+    symbols = tuple(ranges)
+    for place, (symbol, found) in enumerate(ranges.items()):
+        low, high = _span(symbol, found, symbols[:place])(values[:place], budget)
+        open_ends = (False, False) if isinstance(found, Integers) else (found.left_open, found.right_open)
+        if isinstance(found, Integers) and values[place] != int(values[place]):
+            return False
+        if not _fits(values[place], low, high, *open_ends):
+            return False
+    return True
+
+
+def _fits(value, low, high, left_open, right_open):
+    above = low is None or value > low or (value == low and not left_open)
+    return above and (high is None or value < high or (value == high and not right_open))
+
+
 def _where(symbols, values):
     return ", ".join(f"{symbol} = {value}" for symbol, value in zip(symbols, values, strict=True))
 
@@ -133,14 +151,9 @@ def _choices(letters, most):
 
 def _inside(low, high, left_open, right_open):
     """Rational numbers of an interval, the usual ones first, without end unless the interval is one point."""
-
-    def fits(value):
-        above = low is None or value > low or (value == low and not left_open)
-        return above and (high is None or value < high or (value == high and not right_open))
-
     seen = set()
     for value in _proposed(low, high):
-        if fits(value) and value not in seen:
+        if _fits(value, low, high, left_open, right_open) and value not in seen:
             seen.add(value)
             yield value
 

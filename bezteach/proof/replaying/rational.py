@@ -17,9 +17,14 @@ def element(expr):
     """
     letters = sorted(expr.free_symbols, key=str) or [Dummy()]
     try:
-        return QQ.frac_field(*letters).from_sympy(expr)
+        return QQ.frac_field(*letters).from_sympy(_evaluated(expr))
     except (CoercionFailed, ValueError, ZeroDivisionError):
         raise ReplayFailed(f"{expr} is no rational function") from None
+
+
+def _evaluated(expr):
+    """The expression without what stands unevaluated in it, such as 1/(1/2): as a function it is the same."""
+    return expr.func(*map(_evaluated, expr.args)) if expr.args else expr
 
 
 def check_zero(parts, what):

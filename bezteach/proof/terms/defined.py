@@ -155,6 +155,8 @@ def _never_zero(base, conditions, reals):
         return False
     if base.is_number:
         return base.is_nonzero
+    if isinstance(base, Pow | Mul):
+        return all(_never_zero(part.as_base_exp()[0], conditions, reals) for part in Mul.make_args(base))
     if isinstance(base, binomial):
         top, bottom = base.args
         return least(bottom, conditions) >= 0 and least(top - bottom, conditions) >= 0

@@ -5,14 +5,29 @@ conditions do not give it, ``Edge`` asks the caller to look at the finitely many
 have a value where the conditions hold, which ``defined`` has to see to before.
 """
 
-from sympy import Add, Derivative, Indexed, Integral, KroneckerDelta, Mul, Pow, Subs, Sum, binomial, expand, factorial
+from sympy import (
+    Add,
+    Derivative,
+    Indexed,
+    Integral,
+    KroneckerDelta,
+    Mul,
+    Pow,
+    Subs,
+    Sum,
+    binomial,
+    expand,
+    factorial,
+    fraction,
+    together,
+)
 
 from bezteach.symbolic import B, E
 
 from .atoms import ATOMS, POINT, one_at_zero
 from .calculus_terms import at_point, derivative, integral
 from .edges import Edge, need, never, one_of
-from .linear import least
+from .linear import is_whole_form, least
 from .size import MOST_TERMS
 from .terms import Failure, Term, inverse, power_of, times
 
@@ -57,23 +72,41 @@ def _product(expr, whole, conditions):
 
 def _plain(expr, whole):
     """Whether an expression is a polynomial that holds no integer symbol and nothing that has to be taken apart."""
-    held = expr.free_symbols & whole or expr.has(*_TAKEN_APART)
-    return not held and expr.is_polynomial(*expr.free_symbols)
+    return _holds_none(expr, whole) and expr.is_polynomial(*expr.free_symbols)
+
+
+def _holds_none(expr, whole):
+    return not expr.free_symbols & whole and not expr.has(*_TAKEN_APART)
 
 
 def _power(expr, whole, conditions):
     """A power of a polynomial without integer symbols may have any exponent: it has a value, as all parts have."""
     base, exponent = expr.as_base_exp()
+    if not is_whole_form(exponent):  # i * n, where a power of a power was taken
+        raise Failure(f"the exponent of {expr} is no linear form")
+    if exponent == 0:
+        return [Term()]
     if _plain(base, whole):
         if expand(base) == 0:
             return one_at_zero(exponent, conditions)
         in_front = exponent.is_Integer and base != E and not base.is_number
         return [Term(expr) if in_front else power_of(base, exponent)]
+    if (base.is_Mul or base.is_Pow) and not base.has(Indexed):
+        factors = [factor.as_base_exp() for factor in Mul.make_args(base)]
+        return normal(Mul(*[Pow(inner, power * exponent) for inner, power in factors]), whole, conditions)
+    if base.is_Add and _is_small_quotient(base, whole):
+        above, below = fraction(together(base))
+        if below != 1:
+            return _power(Pow(above / below, exponent, evaluate=False), whole, conditions)
     if not exponent.is_Integer:
         raise Failure(f"the base of {expr} holds an integer symbol")
     if exponent > 0:
         return normal(expand(expr), whole, conditions) if base.is_Add else _repeated(base, exponent, whole, conditions)
     return [_reciprocal(base, -exponent, whole, conditions)]
+
+
+def _is_small_quotient(base, whole):
+    return len(base.args) <= MOST_TERMS and _holds_none(base, whole) and base.is_rational_function(*base.free_symbols)
 
 
 def _repeated(base, exponent, whole, conditions):
