@@ -40,10 +40,10 @@ def _line(number, line, letters):
 def compared(lines, start, goal, ranges, least=1):
     """The ``Verdict`` on a derivation of ``goal`` from ``start``, with ``least`` lines at least between the two.
 
-    CORRECT only if it begins and ends as asked, letter by letter, and every step is proved; OPEN if one of them could
-    not be decided.
+    CORRECT only if it begins and ends as asked, letter by letter but for the indices of sums, and every step is proved;
+    OPEN if one of them could not be decided.
     """
-    if lines[0] != start:
+    if not _is_line(lines[0], start):
         return Verdict(WRONG, f"The first line is not what is given: begin with {text(start)}.")
     judgement = check_derivation(lines, given=ranges, budget=SECONDS)
     wrong = judgement.first_wrong
@@ -54,9 +54,13 @@ def compared(lines, start, goal, ranges, least=1):
         told = next((line for line in judgement.lines[1:] if line.step is None or line.step.status != PROVED), None)
         words = judgement.note if told is None else f"line {told.number}: {told.note or told.remark}"
         return Verdict(INVALID if judgement.status == "INVALID" else OPEN, f"Not every step could be decided; {words}.")
-    if lines[-1] != goal:
+    if not _is_line(lines[-1], goal):
         return Verdict(PARTLY, f"Every line follows from the one before. Go on until the line is {text(goal)}.")
-    between = {line for line in lines if line not in (start, goal)}
+    between = {line for line in lines if not _is_line(line, start) and not _is_line(line, goal)}
     if len(between) < least:
         return Verdict(PARTLY, f"True, but show why: at least {least} different line{'s' * (least != 1)} between.")
     return Verdict(CORRECT, f"Right: each of the {len(lines) - 1} steps is proved.")
+
+
+def _is_line(line, asked):
+    return line.as_dummy() == asked.as_dummy()

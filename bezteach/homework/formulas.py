@@ -86,10 +86,12 @@ def is_factored(formula):
     >>> from bezteach.symbolic import t
     >>> is_factored(t * (t - 2)), is_factored(t**2 - 2 * t), is_factored(3 * (1 - t) ** 2), is_factored(t**2 + 1)
     (True, False, True, True)
+    >>> is_factored(B(0, 2, t))
+    False
     """
     bases = [part.base if isinstance(part, Pow) and part.exp.is_Integer else part for part in Mul.make_args(formula)]
     try:
-        return all(base.is_number or Poly(base).is_irreducible for base in bases)
+        return all(base.is_number or (not base.has(B) and Poly(base).is_irreducible) for base in bases)
     except PolynomialError:
         return False
 

@@ -9,7 +9,7 @@ from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
-from sympy import sympify
+from sympy import Expr, sympify
 
 from bezteach import symbolic
 from bezteach.display import points
@@ -25,13 +25,15 @@ from .verdict import CORRECT, INVALID, PARTLY, UNATTEMPTED, WRONG, Verdict
 class Question(NamedTuple):
     """What is asked (``text(data)``), how an answer is judged, what is right in words, and hints, the vaguest first.
 
-    ``apart(data)`` says whether the data can tell the right answer and the known mistakes from one another.
+    ``mistakes(data)`` are the known ones, (an answer, what is said to it); ``apart(data)`` says whether the
+    data can tell the right answer and the known mistakes from one another.
     """
 
     text: Callable
     judge: Callable
     solution: Callable
     hints: tuple
+    mistakes: Callable = lambda data: ()
     apart: Callable = lambda data: True
 
 
@@ -66,7 +68,10 @@ def asks_value(kind, text, right, mistakes=lambda data: (), hints=()):
         known = [nested(right(data)), *(value for value, _ in named(data))]
         return all(values.same(one, other) is False for one, other in combinations(known, 2))
 
-    return Question(text, judge, lambda data: written(nested(right(data))), hints, apart)
+    def pasted(data):
+        return [(value if isinstance(value, tuple) else written(value), feedback) for value, feedback in named(data)]
+
+    return Question(text, judge, lambda data: written(nested(right(data))), hints, pasted, apart)
 
 
 def written(value):
@@ -78,6 +83,8 @@ def written(value):
     if isinstance(value, tuple):
         inside = ", ".join(map(written, value))
         return f"[{inside}]" if value and isinstance(value[0], tuple) else f"({inside})"
+    if isinstance(value, Expr) and not value.is_Rational:
+        return symbolic.text(value)
     fraction = Fraction(value)
     return str(fraction) if fraction.denominator == 1 else f"Fraction({fraction.numerator}, {fraction.denominator})"
 
@@ -101,7 +108,10 @@ def asks_formula(text, right, letters, ranges=None, mistakes=lambda data: (), hi
             return Verdict(PARTLY, f"This is equal, but it is not {form[0]}, as it was asked for.")
         return verdict
 
-    return Question(text, judge, lambda data: symbolic.text(right(data)), hints)
+    def pasted(data):
+        return [(symbolic.text(formula), feedback) for formula, feedback in mistakes(data)]
+
+    return Question(text, judge, lambda data: symbolic.text(right(data)), hints, pasted)
 
 
 def asks_truth(text, relation, ranges, hints=()):

@@ -2,8 +2,11 @@
 
 from itertools import chain
 
-from sympy import Indexed
+from sympy import Indexed, expand
 from sympy.printing.str import StrPrinter
+
+from .operator import step
+from .symbols import E
 
 
 class _TextPrinter(StrPrinter):
@@ -11,6 +14,12 @@ class _TextPrinter(StrPrinter):
 
     def _as_ordered_terms(self, expr, order=None):
         return sorted(super()._as_ordered_terms(expr, order), key=lambda term: term.could_extract_minus_sign())
+
+    def _print_Add(self, expr, order=None):
+        return f"g({self._print(expr.coeff(E))})" if _is_step(expr) else super()._print_Add(expr, order)
+
+    def parenthesize(self, item, level, strict=False):
+        return self._print(item) if _is_step(item) else super().parenthesize(item, level, strict)
 
     def _print_Indexed(self, expr):
         index, *others = expr.indices
@@ -43,6 +52,11 @@ class _TextPrinter(StrPrinter):
         if isinstance(expr.base, Indexed):  # b_1^2 is a point on the way: only b[1]^2 is a power
             printed = printed.replace(f"{self._print(expr.base)}**", f"{expr.base}**")
         return printed.replace("**", "^")
+
+
+def _is_step(expr):
+    """Whether it is 1 - t + t E, for any t."""
+    return expr.is_Add and expr.has(E) and expand(expr - step(expr.coeff(E))) == 0
 
 
 def text(expr):

@@ -2,11 +2,18 @@
 
 import ast
 
+import answers_b_splines as b_splines
+import answers_basis_properties as basis_properties
 import answers_curve_properties as curve_properties
+import answers_de_casteljau as de_casteljau
 import answers_definitions as definitions
 import answers_derivatives as derivatives
 import answers_elevation as elevation
+import answers_joining as joining
+import answers_operator as operator
+import answers_rational as rational
 import answers_splitting as splitting
+import answers_why_bernstein as why_bernstein
 import pytest
 
 from bezteach.homework import CORRECT, INVALID, PARTLY, UNATTEMPTED, WRONG
@@ -15,7 +22,20 @@ from bezteach.homework.sets import QUESTIONS, SETS, data_of
 
 STUDENTS = (None, "ada", "dürer")
 
-BOOK = definitions.BOOK | curve_properties.BOOK | splitting.BOOK | elevation.BOOK | derivatives.BOOK
+BOOK = (
+    why_bernstein.BOOK
+    | definitions.BOOK
+    | basis_properties.BOOK
+    | curve_properties.BOOK
+    | de_casteljau.BOOK
+    | operator.BOOK
+    | splitting.BOOK
+    | elevation.BOOK
+    | derivatives.BOOK
+    | joining.BOOK
+    | b_splines.BOOK
+    | rational.BOOK
+)
 
 
 def test_every_question_is_here():
@@ -53,6 +73,18 @@ def test_every_student_has_answers_that_are_right_and_mistakes_that_are_not(id, 
     solution = question.solution(data)
     answer = ast.literal_eval(solution) if solution.startswith("(False") else solution
     assert judged(question, data, answer).status == CORRECT, solution
+
+
+@pytest.mark.parametrize("id", QUESTIONS)
+def test_every_student_is_told_of_his_own_mistake(id):
+    """For the book's numbers, and for those of a student if the mistakes depend on them."""
+    name, question = QUESTIONS[id]
+    seen = set()
+    for data in (data_of(name, student) for student in STUDENTS):
+        told = tuple(question.mistakes(data))
+        for answer, feedback in told if told not in seen else ():
+            assert judged(question, data, answer) == (WRONG, feedback)
+        seen.add(told)
 
 
 @pytest.mark.parametrize("name", SETS)
