@@ -1,5 +1,6 @@
 """Blank homework, for the book or for a student, and the key to it."""
 
+import ast
 import json
 from contextlib import redirect_stdout
 from io import StringIO
@@ -10,26 +11,47 @@ from bezteach import cli
 from bezteach.grading import graded
 from bezteach.homework.notebook import notebook
 from bezteach.homework.sets import QUESTIONS, SETS
+from bezteach.setup.workspace import lessons_source
+
+LESSONS = lessons_source()
 
 
 def told(text):
-    """What the code cells of a notebook print, cell by cell."""
+    """What the code cells of a notebook print, or give at their end, cell by cell."""
     names, printed = {}, []
     for cell in json.loads(text)["cells"]:
         if cell["cell_type"] == "code":
+            *lines, last = ast.parse(cell["source"]).body
             with redirect_stdout(StringIO()) as out:
-                exec(cell["source"], names)
-            printed.append(out.getvalue().strip())
+                exec(compile(ast.Module(lines, []), "cell", "exec"), names)
+                result = eval(compile(ast.Expression(last.value), "cell", "eval"), names)
+            printed.append(out.getvalue().strip() + ("" if result is None else str(result)))
     return printed
 
 
 @pytest.mark.parametrize("name", SETS)
 @pytest.mark.parametrize("student", [None, "Ada"])
 def test_a_blank_notebook_runs_clean(name, student):
-    first, *rest = told(notebook(name, student))
+    first, *rest, last = told(notebook(name, student))
+    assert last == "0"
     assert first == ("The book's numbers." if student is None else "The numbers of ada.")
     assert set(rest[1::2]) == {"… UNATTEMPTED: Not answered yet."} and len(rest) == 2 * len(SETS[name].questions)
     assert all(len(asked) > 20 for asked in rest[::2])
+
+
+@pytest.mark.parametrize("name", SETS)
+def test_the_stored_notebook_is_the_blank_one(name):
+    """If not: remove lessons/homework, and then bezteach homework lessons/homework and python -m bezteach.lessons."""
+    stored = json.loads((LESSONS / "homework" / f"{name}.ipynb").read_text(encoding="utf-8"))["cells"]
+    blank = json.loads(notebook(name))["cells"]
+    assert [(one["cell_type"], "".join(one["source"]), one["metadata"]) for one in stored] == [
+        (one["cell_type"], one["source"], one["metadata"]) for one in blank
+    ]
+
+
+def test_there_is_a_set_for_each_lesson():
+    assert sorted(SETS) == sorted(path.stem for path in LESSONS.glob("[01][0-9]-*.ipynb") if path.stem != "00-start")
+    assert sorted(SETS) == sorted(path.stem for path in (LESSONS / "homework").iterdir() if path.suffix == ".ipynb")
 
 
 def test_a_notebook_is_one_of_format_4_5():

@@ -7,7 +7,7 @@ of each lesson, ``session.py`` is what a student calls.
 
 from bezteach.parsing import InvalidAnswer, parse
 
-from .session import ask, check, hint, solution, start
+from .session import ask, check, hint, points, solution, start
 from .verdict import CORRECT, INVALID, OPEN, PARTLY, UNATTEMPTED, WRONG, Verdict
 
 __all__ = [
@@ -23,6 +23,7 @@ __all__ = [
     "check",
     "hint",
     "parse",
+    "points",
     "solution",
     "start",
 ]

@@ -13,6 +13,10 @@ with a sign after a fraction, `"n/(n+1) * b_1"`. Write the answer itself into th
 running the notebook.
 
 `hint("...")` gives one more hint each time, `solution("...")` the answer once you have tried."""
+IMPORTS = """from fractions import Fraction
+
+from bezteach.homework import ask, check, hint, points, solution, start"""
+POINTS = "## Points\n\nOne for each right answer, half a one for an answer that is right in part."
 
 
 def notebook(name, student=None):
@@ -22,17 +26,18 @@ def notebook(name, student=None):
     >>> print(book["cells"][1]["source"])
     from fractions import Fraction
     <BLANKLINE>
-    from bezteach.homework import ask, check, hint, solution, start
+    from bezteach.homework import ask, check, hint, points, solution, start
     <BLANKLINE>
     start("Ada")
     """
     called = "" if student is None else json.dumps(student, ensure_ascii=False)
-    imports = "from fractions import Fraction\n\nfrom bezteach.homework import ask, check, hint, solution, start\n\n"
-    cells = [_markdown(INTRODUCTION.format(name=name)), _code(f"{imports}start({called})")]
+    cells = [_markdown(INTRODUCTION.format(name=name)), _code(f"{IMPORTS}\n\nstart({called})")]
     for number, short in enumerate(SETS[name].questions, 1):
-        cells += [_code(f'ask("{name}/{short}")'), _code(f'check("{name}/{short}", ...)', f"question-{number}")]
+        cells += [_markdown(f"## {number}. {short.replace('-', ' ').capitalize()}")]
+        cells += [_code(f'ask("{name}/{short}")'), _code(f'check("{name}/{short}", ...)')]
+    cells += [_markdown(POINTS), _code(f'points("{name}")', _autograded(name))]
     book = {
-        "cells": [cell | {"id": cell.get("id", f"cell-{place}")} for place, cell in enumerate(cells)],
+        "cells": [cell | {"id": f"cell-{place}"} for place, cell in enumerate(cells)],
         "metadata": {"kernelspec": KERNEL},
         "nbformat": 4,
         "nbformat_minor": 5,
@@ -44,9 +49,14 @@ def _markdown(source):
     return {"cell_type": "markdown", "metadata": {}, "source": source}
 
 
-def _code(source, id=None):
-    cell = {"cell_type": "code", "execution_count": None, "metadata": {}, "outputs": [], "source": source}
-    return cell if id is None else cell | {"id": id}
+def _code(source, metadata=None):
+    return {"cell_type": "code", "execution_count": None, "metadata": metadata or {}, "outputs": [], "source": source}
+
+
+def _autograded(name):
+    """What nbgrader has to know of the last cell: it is a test, and its number is the points that are given."""
+    test = {"grade": True, "solution": False, "task": False, "locked": True, "grade_id": f"points-{name}"}
+    return {"nbgrader": {**test, "points": len(SETS[name].questions), "cell_type": "code", "schema_version": 3}}
 
 
 def key(name, student=None):

@@ -1,14 +1,17 @@
-"""What a student calls in a notebook: ``start``, ``check``, ``hint``, ``solution``."""
+"""What a student calls in a notebook: ``start``, ``ask``, ``check``, ``hint``, ``solution``, ``points``."""
 
 from difflib import get_close_matches
 
+from bezteach.display import Page, escaped
+
 from .kinds import judged
 from .reading import is_blank
-from .sets import QUESTIONS, data_of
+from .sets import QUESTIONS, SETS, data_of
 from .student import student_of
 
 MARKS = {"CORRECT": "✓", "PARTLY": "◐", "WRONG": "✗", "INVALID": "?", "UNATTEMPTED": "…", "OPEN": "?"}
-_session = {"student": None, "tried": set(), "hints": {}}
+POINTS = {"CORRECT": 1, "PARTLY": 0.5}
+_session = {"student": None, "checked": {}, "hints": {}}
 
 
 def start(name=None):
@@ -22,14 +25,21 @@ def start(name=None):
     The book's numbers.
     """
     student = None if name is None else student_of(name)
-    _session.update(student=student, tried=set(), hints={})
+    _session.update(student=student, checked={}, hints={})
     print("The book's numbers." if student is None else f"The numbers of {student}.")
 
 
 def ask(id):
-    """Print what is asked, with this student's numbers; ``ValueError`` as for ``check``."""
+    """What is asked, with this student's numbers, a ``Page`` to look at; ``ValueError`` as for ``check``.
+
+    >>> start()
+    The book's numbers.
+    >>> ask("08-splitting/point")
+    The point at t = 1/3 of the cubic b_0 = (0, 0), b_1 = (1, 3), b_2 = (2, 1), b_3 = (3, 3).
+    """
     question, data = _of(id)
-    print(question.text(data))
+    text = question.text(data)
+    return Page(text, escaped(text))
 
 
 def check(id, answer=...):
@@ -45,7 +55,7 @@ def check(id, answer=...):
     question, data = _of(id)
     verdict = judged(question, data, answer)
     if not is_blank(answer):
-        _session["tried"].add(id)
+        _session["checked"][id] = verdict.status
     print(f"{MARKS[verdict.status]} {verdict.status}: {verdict.feedback}")
 
 
@@ -60,7 +70,27 @@ def hint(id):
 def solution(id):
     """Print the right answer, once an answer has been tried; ``ValueError`` as for ``check``."""
     question, data = _of(id)
-    print(question.solution(data) if id in _session["tried"] else "Try an answer first: check it, and then look here.")
+    print(
+        question.solution(data) if id in _session["checked"] else "Try an answer first: check it, and then look here."
+    )
+
+
+def points(name):
+    """How many points the answers checked so far have in a set: 1 for a right one, 1/2 for one that is right in part.
+
+    >>> start()
+    The book's numbers.
+    >>> check("08-splitting/local", "1/3")
+    ✓ CORRECT: Right.
+    >>> points("08-splitting")
+    1
+
+    Of a question that is checked again the last answer counts. ``ValueError`` if there is no such set.
+    """
+    if type(name) is not str or name not in SETS:
+        raise ValueError(f"there is no set {name if type(name) is str else type(name).__name__!r}: {', '.join(SETS)}")
+    checked = _session["checked"]
+    return sum(POINTS.get(checked[id], 0) for id, (own, _) in QUESTIONS.items() if own == name and id in checked)
 
 
 def _of(id):

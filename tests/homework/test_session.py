@@ -1,4 +1,4 @@
-"""What a student calls: start, ask, check, hint, solution."""
+"""What a student calls: start, ask, check, hint, solution, points."""
 
 import pytest
 
@@ -18,16 +18,13 @@ def printed(capsys):
 
 
 def test_a_name_has_numbers_of_its_own(capsys):
-    homework.ask(LOCAL)
-    book = printed(capsys)
-    assert book.startswith("The part over [1/4, 3/4] of a curve")
+    assert str(homework.ask(LOCAL)).startswith("The part over [1/4, 3/4] of a curve")
     texts = set()
     for name in ("Ada", "Bob", "Chen", "Dora", "Emil"):
         homework.start(name)
-        printed(capsys)
-        homework.ask(LOCAL)
-        texts.add(printed(capsys))
+        texts.add(str(homework.ask(LOCAL)))
     assert len(texts) > 1
+    printed(capsys)
     homework.start(" ada ")
     assert printed(capsys) == "The numbers of ada."
 
@@ -64,6 +61,26 @@ def test_the_solution_comes_after_an_attempt(capsys):
     homework.check(LOCAL, "1/2")
     homework.solution(LOCAL)
     assert printed(capsys).endswith("Fraction(1, 3)")
+
+
+def test_what_is_asked_is_prose_in_which_nothing_is_markup():
+    asked = homework.ask("08-splitting/point")
+    assert "b_0 = (0, 0)" in str(asked) and "b\\_0 = (0, 0)" in asked._repr_markdown_()
+
+
+def test_points_are_one_for_a_right_answer_and_a_half_for_a_part():
+    assert homework.points("08-splitting") == 0
+    homework.check(LOCAL, "1/3")
+    homework.check("08-splitting/left", "(0, 0), (1/3, 1), (2/3, 1), (1, 5/3)")
+    homework.check("02-definitions/walk", 7)
+    assert (homework.points("08-splitting"), homework.points("02-definitions")) == (1.5, 0)
+    homework.check(LOCAL, "1/2")
+    homework.check(LOCAL)
+    assert homework.points("08-splitting") == 0.5
+    homework.start()
+    assert homework.points("08-splitting") == 0
+    with pytest.raises(ValueError, match="there is no set '13'"):
+        homework.points("13")
 
 
 @pytest.mark.parametrize(("id", "near"), [("08-spliting/local", "08-splitting/local"), (7, "08-splitting/point")])
