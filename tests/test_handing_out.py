@@ -10,7 +10,7 @@ import pytest
 from bezteach import cli
 from bezteach.grading import graded
 from bezteach.homework.notebook import notebook
-from bezteach.homework.sets import QUESTIONS, SETS
+from bezteach.homework.sets import QUESTIONS, SETS, data_of
 from bezteach.setup.workspace import lessons_source
 
 LESSONS = lessons_source()
@@ -35,8 +35,12 @@ def test_a_blank_notebook_runs_clean(name, student):
     first, *rest, last = told(notebook(name, student))
     assert last == "0"
     assert first == ("The book's numbers." if student is None else "The numbers of ada.")
-    assert set(rest[1::2]) == {"… UNATTEMPTED: Not answered yet."} and len(rest) == 2 * len(SETS[name].questions)
-    assert all(len(asked) > 20 for asked in rest[::2])
+    questions = SETS[name].questions.values()
+    boards = [words for words in rest if "To paste: check(" in words]
+    assert rest.count("… UNATTEMPTED: Not answered yet.") == len(questions)
+    assert len(boards) == sum(question.position is not None for question in questions)
+    asked = [words for words in rest if words not in boards and "UNATTEMPTED" not in words]
+    assert asked == [question.text(data_of(name, student and "ada")) for question in questions]
 
 
 @pytest.mark.parametrize("name", SETS)

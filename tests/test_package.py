@@ -53,7 +53,7 @@ ARROWS = {
     "glossary": {"coverage", "display"},
     "figures": {"numeric", "display", "palette", "naming"},
     "bench": {"parsing", "proof"},
-    "homework": {"parsing", "proof", "symbolic", "numeric", "examples", "display"},
+    "homework": {"parsing", "proof", "symbolic", "numeric", "examples", "display", "widgets"},
     "ledger": {"proof", "symbolic", "display", "examples"},
     "widgets": {
         "numeric",

@@ -7,7 +7,7 @@ of each lesson, ``session.py`` is what a student calls.
 
 from bezteach.parsing import InvalidAnswer, parse
 
-from .session import ask, check, hint, points, solution, start
+from .session import ask, board, check, hint, points, solution, start
 from .verdict import CORRECT, INVALID, OPEN, PARTLY, UNATTEMPTED, WRONG, Verdict
 
 __all__ = [
@@ -20,6 +20,7 @@ __all__ = [
     "InvalidAnswer",
     "Verdict",
     "ask",
+    "board",
     "check",
     "hint",
     "parse",

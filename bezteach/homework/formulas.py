@@ -1,13 +1,15 @@
 """Formulas, with a number or a letter for the degree: whether two are one, and the form that is asked for."""
 
+from contextlib import suppress
 from fractions import Fraction
 
 from sympy import Add, Dummy, Expr, Indexed, Integer, Mul, Poly, PolynomialError, Pow, Rational, expand
 
 from bezteach.parsing import InvalidAnswer
 from bezteach.proof import INVALID as MEANINGLESS
-from bezteach.proof import PROVED, REFUTED, Undefined, prove
-from bezteach.proof.exact.refuter import shown
+from bezteach.proof import PROVED, REFUTED, Budget, OutOfTime, Undefined, Unsupported, prove, statement
+from bezteach.proof.exact.evaluate import evaluator
+from bezteach.proof.exact.refuter import shown, walk
 from bezteach.proof.ranges import about
 from bezteach.symbolic import B
 
@@ -47,6 +49,8 @@ def compared(given, right, ranges, mistakes=()):
 
     ``mistakes`` are (formula, feedback). WRONG has the simplest place where the answer fails, and what it is there.
     """
+    if given == right:
+        return Verdict(CORRECT, "Right: this is the formula.")
     verdict = prove(given, right, given=about((given, right), ranges), budget=SECONDS)
     if verdict.status == PROVED:
         return Verdict(CORRECT, "Right, and proved for all that is asked.")
@@ -57,7 +61,22 @@ def compared(given, right, ranges, mistakes=()):
             return Verdict(WRONG, feedback)
     if verdict.status == REFUTED:
         return Verdict(WRONG, _where(verdict.counterexample))
-    return Verdict(OPEN, f"Whether this is the right formula could not be decided ({verdict.note}): write it simpler.")
+    agree = _where_both_agree(given, right, ranges)
+    return Verdict(OPEN, f"Whether this is the right formula could not be decided. {agree}Write it in a simpler form.")
+
+
+def _where_both_agree(given, right, ranges):
+    """A sentence on the first place at which both have one value, or nothing."""
+    claim, budget = statement(given, right, about((given, right), ranges)), Budget(1.0)
+    run = evaluator(claim.lhs, claim.ranges)
+    try:
+        for values in walk(claim, budget):
+            with suppress(Undefined, Unsupported):
+                at = ", ".join(f"{symbol} = {value}" for symbol, value in zip(claim.ranges, values, strict=True))
+                return f"At {at} both are {shown(run(values, budget))}. "
+    except OutOfTime:
+        pass
+    return ""
 
 
 def _where(found):

@@ -26,7 +26,8 @@ class Question(NamedTuple):
     """What is asked (``text(data)``), how an answer is judged, what is right in words, and hints, the vaguest first.
 
     ``mistakes(data)`` are the known ones, (an answer, what is said to it); ``apart(data)`` says whether the
-    data can tell the right answer and the known mistakes from one another.
+    data can tell the right answer and the known mistakes from one another; ``position(data)`` is a right answer that
+    can be found on a board.
     """
 
     text: Callable
@@ -35,6 +36,7 @@ class Question(NamedTuple):
     hints: tuple
     mistakes: Callable = lambda data: ()
     apart: Callable = lambda data: True
+    position: Callable | None = None
 
 
 class Set(NamedTuple):
@@ -164,16 +166,17 @@ def asks_derivation(text, lines, letters, ranges, least=1, hints=()):
 
     def judge(data, answer):
         first, *_, last = derivations.lines_of(written_out, letters)
-        return derivations.compared(derivations.lines_of(answer, letters), first, last, ranges, least)
+        lines = derivations.lines_of(answer, letters)
+        return derivations.compared(lines, first.formula, last.formula, ranges, least)
 
     return Question(text, judge, lambda data: written_out, hints)
 
 
-def asks_position(text, demands, solution, hints=()):
+def asks_position(text, demands, solution, hints=(), on_board=True):
     """A question for control points with properties, as a board prints them.
 
     ``demands`` are (holds(data, points), what is said where it does not hold), points an array of Fractions, shape
-    (m, 2); ``solution(data)`` is one position that meets all of them.
+    (m, 2); ``solution(data)`` is one position that meets all of them. ``on_board``: whether their curve is Bézier's.
     """
 
     def judge(data, answer):
@@ -187,4 +190,7 @@ def asks_position(text, demands, solution, hints=()):
             return Verdict(CORRECT, "Right: all that was asked for holds.")
         return Verdict(WRONG if len(lacking) == len(demands) else PARTLY, lacking[0])
 
-    return Question(text, judge, lambda data: written(nested(solution(data))), hints)
+    def position(data):
+        return nested(solution(data))
+
+    return Question(text, judge, lambda data: written(position(data)), hints, position=position if on_board else None)

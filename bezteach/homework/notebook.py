@@ -5,17 +5,17 @@ import json
 from .sets import QUESTIONS, SETS, data_of
 
 KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
-INTRODUCTION = """# Homework {name}
+INTRODUCTION = """# Homework on lesson {lesson}
 
 Put your answer in the place of the three dots and run the cell. A number is `2`, `-5/3` or `Fraction(1, 3)`, a point \
 `(1/2, 3)`, a list of points `[(0, 0), (1/2, 1)]`; a formula stands in quotes, `"2t(1 - t)"`, \
 with a sign after a fraction, `"n/(n+1) * b_1"`. Write the answer itself into the call: it is also read without \
-running the notebook.
+running the notebook. Where there is a board, drag its points and copy its last line, the check, into the cell below it.
 
-`hint("...")` gives one more hint each time, `solution("...")` the answer once you have tried."""
+`hint("{id}")` gives one more hint each time, `solution("{id}")` the answer once you have tried."""
 IMPORTS = """from fractions import Fraction
 
-from bezteach.homework import ask, check, hint, points, solution, start"""
+from bezteach.homework import ask, board, check, hint, points, solution, start"""
 POINTS = "## Points\n\nOne for each right answer, half a one for an answer that is right in part."
 
 
@@ -26,15 +26,20 @@ def notebook(name, student=None):
     >>> print(book["cells"][1]["source"])
     from fractions import Fraction
     <BLANKLINE>
-    from bezteach.homework import ask, check, hint, points, solution, start
+    from bezteach.homework import ask, board, check, hint, points, solution, start
     <BLANKLINE>
     start("Ada")
     """
     called = "" if student is None else json.dumps(student, ensure_ascii=False)
-    cells = [_markdown(INTRODUCTION.format(name=name)), _code(f"{IMPORTS}\n\nstart({called})")]
-    for number, short in enumerate(SETS[name].questions, 1):
+    first = f"{name}/{next(iter(SETS[name].questions))}"
+    cells = [
+        _markdown(INTRODUCTION.format(lesson=name.replace("-", ": ", 1).replace("-", " "), id=first)),
+        _code(f"{IMPORTS}\n\nstart({called})"),
+    ]
+    for number, (short, question) in enumerate(SETS[name].questions.items(), 1):
         cells += [_markdown(f"## {number}. {short.replace('-', ' ').capitalize()}")]
-        cells += [_code(f'ask("{name}/{short}")'), _code(f'check("{name}/{short}", ...)')]
+        calls = ["ask({})", *["board({})"] * (question.position is not None), "check({}, ...)"]
+        cells += [_code(call.format(f'"{name}/{short}"')) for call in calls]
     cells += [_markdown(POINTS), _code(f'points("{name}")', _autograded(name))]
     book = {
         "cells": [cell | {"id": f"cell-{place}"} for place, cell in enumerate(cells)],

@@ -1,4 +1,4 @@
-"""What a student calls in a notebook: ``start``, ``ask``, ``check``, ``hint``, ``solution``, ``points``."""
+"""What a student calls in a notebook: ``start``, ``ask``, ``board``, ``check``, ``hint``, ``solution``, ``points``."""
 
 from difflib import get_close_matches
 
@@ -57,6 +57,19 @@ def check(id, answer=...):
     if not is_blank(answer):
         _session["checked"][id] = verdict.status
     print(f"{MARKS[verdict.status]} {verdict.status}: {verdict.feedback}")
+
+
+def board(id):
+    """A ``Board`` to find the control points on that a question asks for, with the line to paste beside it.
+
+    ``ValueError`` as for ``check``, and if the question asks for something else.
+    """
+    from .boards import board_for
+
+    question, data = _of(id)
+    if question.position is None:
+        raise ValueError(f"{id} asks for no position of control points")
+    return board_for(id, question.position(data))
 
 
 def hint(id):

@@ -12,6 +12,7 @@ from .verdict import CORRECT, OPEN, PARTLY, WRONG, Verdict
 
 NEAR = 1e-12
 ADVICE = "Right. Write fractions, such as 1/3, and the answer is exact."
+ADVICE_ON_ROOTS = 'Right. Write roots in quotes, such as "sqrt(2)", and the answer is exact.'
 SHAPES = {"number": 0, "point": 1, "numbers": 1, "points": 2, "matrix": 2}
 EXAMPLES = {
     "number": "a number like 2, -5/3 or 0.25",
@@ -84,10 +85,11 @@ def same(given, right):
 
 
 def _same_number(given, right):
+    if isinstance(given, float):
+        exact = Fraction(str(right.evalf(25))) if isinstance(right, Basic) else right
+        return abs(Fraction(given) - exact) <= NEAR * max(1, abs(exact))
     if isinstance(given, Basic) or isinstance(right, Basic):
         return is_zero(_sympy(given) - _sympy(right))
-    if isinstance(given, float):
-        return abs(Fraction(given) - right) <= NEAR * max(1, abs(right))
     return given == right
 
 
@@ -99,7 +101,7 @@ def compared(given, right, mistakes):
     """The ``Verdict`` on a value against the right one; ``mistakes`` are (value, feedback)."""
     found = same(given, right)
     if found:
-        return Verdict(CORRECT, ADVICE if any(isinstance(leaf, float) for leaf, _ in _leaves(given)) else "Right.")
+        return Verdict(CORRECT, _praise(given, right))
     for mistake, feedback in mistakes:
         if same(given, mistake):
             return Verdict(WRONG, feedback)
@@ -108,6 +110,12 @@ def compared(given, right, mistakes):
     if isinstance(given, tuple) and _sizes(given) != _sizes(right):
         return Verdict(WRONG, f"The answer is {_size_words(right)}; yours is {_size_words(given)}.")
     return _by_parts(given, right)
+
+
+def _praise(given, right):
+    if not any(isinstance(leaf, float) for leaf, _ in _leaves(given)):
+        return "Right."
+    return ADVICE_ON_ROOTS if any(isinstance(leaf, Basic) for leaf, _ in _leaves(right)) else ADVICE
 
 
 def _sizes(value):

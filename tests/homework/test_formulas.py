@@ -1,7 +1,7 @@
 """Formulas: right only by proof, wrong only with a place where they are, and open otherwise."""
 
 import pytest
-from sympy import Interval, Rational, oo
+from sympy import Interval, Rational, oo, sqrt
 
 from bezteach.homework import CORRECT, OPEN, WRONG, InvalidAnswer
 from bezteach.homework.formulas import compared, formula_of, is_bernstein, is_expanded, is_factored
@@ -61,8 +61,17 @@ def test_points_may_stand_in_a_formula():
 
 def test_what_cannot_be_decided_is_open_and_not_wrong(monkeypatch):
     monkeypatch.setattr("bezteach.homework.formulas.SECONDS", 0.0)
-    verdict = judged("n (B(i-1,n-1,t) - B(i,n-1,t))")
-    assert verdict.status == OPEN and "could not be decided" in verdict.feedback
+    verdict = judged("n B(i-1,n-1,t) - n B(i,n-1,t)")
+    assert verdict.status == OPEN and "could not be decided. At n = 1, i = 0, t = 1/2 both are -1." in verdict.feedback
+    assert judged("n (B(i-1,n-1,t) - B(i,n-1,t))").status == CORRECT  # letter by letter what is right
+
+
+def test_where_nothing_can_be_computed_it_is_open_too():
+    verdict = judged("sqrt(t^3)/t - t^2 + t^2", sqrt(t), {t: Interval.open(0, 1)}, ())
+    assert verdict == (
+        OPEN,
+        "Whether this is the right formula could not be decided. At t = 1/4 both are 1/2. Write it in a simpler form.",
+    )
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ import pytest
 from sympy import Eq, Integer, Sum, oo
 
 from bezteach.homework import CORRECT, OPEN, PARTLY, WRONG, InvalidAnswer, derivations, truth
-from bezteach.symbolic import B, b, i, n, t
+from bezteach.symbolic import B, b, i, j, n, t
 
 UNITY = Eq(Sum(B(i, n, t), (i, 1, n)), Integer(1), evaluate=False)  # from 1: false
 
@@ -100,6 +100,20 @@ def test_the_statement_alone_is_no_proof():
     padded = "t B(i,n,t)\n= t B(i,n,t)\n= (i+1)/(n+1) * B(i+1,n+1,t)"
     assert followed(padded, LEFT, RIGHT, RANGES).status == PARTLY
     assert followed(both, LEFT, RIGHT, RANGES, least=0).status == CORRECT
+
+
+def test_a_line_in_which_all_cancels_counts_and_the_same_formula_in_another_order_does_not():
+    unity = Sum(B(i, n, t), (i, 0, n))
+    assert followed("sum(B(i,n,t), i, 0, n)\n= ((1-t) + t)^n\n= 1", unity, Integer(1), {n: (0, oo)}).status == CORRECT
+    turned = "t B(i,n,t)\n= B(i,n,t) t\n= (i+1)/(n+1) * B(i+1,n+1,t)"
+    assert followed(turned, LEFT, RIGHT, RANGES).status == PARTLY
+
+
+def test_an_index_may_have_any_name():
+    unity = Sum(B(i, n, t), (i, 0, n))
+    named = "sum(B(j,n,t), j, 0, n)\n= ((1-t) + t)^n\n= 1"
+    lines = derivations.lines_of(named, {j, n, t})
+    assert derivations.compared(lines, unity, Integer(1), {n: (0, oo)}).status == CORRECT
 
 
 def test_a_step_that_is_not_decided_leaves_it_open(monkeypatch):

@@ -382,6 +382,7 @@ SET = Set(
                 "Start on the circle to the right of the centre. A square has the centre and your three points as "
                 "corners.",
             ),
+            on_board=False,
         ),
     },
 )

@@ -68,7 +68,7 @@ def counterexample(statement, budget=None):
     n = 0, i = 0, t = 1/3: 1/3 on the left, 2/3 on the right
     """
     budget = budget or Budget(DEFAULT_SECONDS)
-    return search(prober(statement), _walk(statement, budget), budget)
+    return search(prober(statement), walk(statement, budget), budget)
 
 
 def counterexample_at(statement, integers, budget, count):
@@ -76,7 +76,8 @@ def counterexample_at(statement, integers, budget, count):
     return search(prober(statement), real_points(statement.ranges, integers, count, budget), budget)
 
 
-def _walk(statement, budget):
+def walk(statement, budget):
+    """The points that are tried, tuples of values in the order of the ranges."""
     first = []
     for integers in widest(statement.ranges, budget):
         for values in real_points(statement.ranges, integers, None, budget):
