@@ -25,7 +25,7 @@ def roots(statement, walked, budget):
     symbols = tuple(statement.ranges)
     found = (
         point
-        for divisor in {*_divisors(statement.lhs), *_divisors(statement.rhs)}
+        for divisor in dict.fromkeys([*_divisors(statement.lhs), *_divisors(statement.rhs)])
         if divisor.free_symbols and divisor.free_symbols <= set(symbols)
         for values in walked
         for point in _zeros(divisor, symbols, values, budget)
