@@ -37,7 +37,7 @@ def lines_of(answer, letters):
         raise InvalidAnswer("a derivation is a text of several lines, or a list of texts")
     texts = [line.strip() for line in texts if line.strip()]
     if not 2 <= len(texts) <= MOST:
-        raise InvalidAnswer(f"a derivation has 2 to {MOST} lines, and this one has {len(texts)}")
+        raise InvalidAnswer(f"a derivation has 2 to {MOST} lines, and this one has {len(texts)}: one formula a line")
     return [_line(number, line, letters) for number, line in enumerate(texts, 1)]
 
 

@@ -1,5 +1,7 @@
 """True or false, and if false a counterexample that must refute."""
 
+import re
+
 from sympy import Equality
 
 from bezteach.parsing import InvalidAnswer, parse
@@ -17,8 +19,8 @@ def truth_of(answer):
 
     >>> truth_of((False, "n = 2, t = 1/2"))
     (False, {n: 2, t: 1/2})
-    >>> truth_of("false: t = 3")
-    (False, {t: 3})
+    >>> truth_of("false: t = 3"), truth_of("False, t = 3")
+    ((False, {t: 3}), (False, {t: 3}))
 
     ``InvalidAnswer`` says what is wrong.
     """
@@ -27,10 +29,9 @@ def truth_of(answer):
         return answer, {}
     if kind in (tuple, list) and len(answer) == 2 and type(answer[0]) is bool and type(answer[1]) is str:
         return _with_places(answer[0], answer[1])
-    if kind is str:
-        word, _, rest = answer.partition(":")
-        if word.strip().lower() in WORDS:
-            return _with_places(WORDS[word.strip().lower()], rest)
+    found = re.fullmatch(r"\s*(true|false)\s*(?:[:,;](.*))?", answer, re.I | re.S) if kind is str else None
+    if found:
+        return _with_places(WORDS[found[1].lower()], found[2] or "")
     raise InvalidAnswer(LIKE)
 
 

@@ -11,6 +11,7 @@ from .reading import read
 from .verdict import CORRECT, OPEN, PARTLY, WRONG, Verdict
 
 NEAR = 1e-12
+ROUNDED = Fraction(1, 200)
 ADVICE = "Right. Write fractions, such as 1/3, and the answer is exact."
 ADVICE_ON_ROOTS = 'Right. Write roots in quotes, such as "sqrt(2)", and the answer is exact.'
 SHAPES = {"number": 0, "point": 1, "numbers": 1, "points": 2, "matrix": 2}
@@ -109,7 +110,27 @@ def compared(given, right, mistakes):
         return Verdict(OPEN, "Whether this number is the right one could not be decided: write it in a simpler form.")
     if isinstance(given, tuple) and _sizes(given) != _sizes(right):
         return Verdict(WRONG, f"The answer is {_size_words(right)}; yours is {_size_words(given)}.")
+    if _is_rounded(given, right):
+        return Verdict(WRONG, "This is rounded, and so not the number itself: write a fraction, such as 1/3.")
     return _by_parts(given, right)
+
+
+def _is_rounded(given, right):
+    """Whether decimal numbers stand for what is near to them, and fractions for themselves."""
+    if isinstance(given, tuple):
+        return all(map(_is_rounded, given, right))
+    if isinstance(given, Basic) or isinstance(right, Basic) or same(given, right):
+        return bool(same(given, right))
+    return abs(Fraction(given) - right) <= ROUNDED * max(1, abs(right)) and is_decimal(Fraction(given))
+
+
+def is_decimal(fraction):
+    """Whether a fraction can be written with a point: floats always can.
+
+    >>> is_decimal(Fraction(333, 1000)), is_decimal(Fraction(0.3)), is_decimal(Fraction(1, 3))
+    (True, True, False)
+    """
+    return 10 ** fraction.denominator.bit_length() % fraction.denominator == 0
 
 
 def _praise(given, right):

@@ -86,6 +86,34 @@ def test_irrational_numbers_are_compared_by_proof():
     assert judged("sqrt(2)/2", sqrt(Rational(1, 2)), "number", ()).status == CORRECT
 
 
+@pytest.mark.parametrize(
+    ("answer", "right", "kind"),
+    [
+        (3.33, F(10, 3), "number"),
+        ("0.333", F(1, 3), "number"),
+        ("(1, 1.67)", (F(1), F(5, 3)), "point"),
+        ([(0.667, 0), (1, "1/2")], ((F(2, 3), F(0)), (F(1), F(1, 2))), "points"),
+    ],
+)
+def test_what_is_rounded_is_said_to_be(answer, right, kind):
+    verdict = judged(answer, right, kind, ())
+    assert verdict == (WRONG, "This is rounded, and so not the number itself: write a fraction, such as 1/3.")
+
+
+@pytest.mark.parametrize(
+    ("answer", "right"), [("3.3", F(10, 3)), ("335/1002", F(1, 3)), ("(1.67, 2)", (F(5, 3), F(3)))]
+)
+def test_what_is_not_near_or_no_decimal_number_is_not_rounded(answer, right):
+    kind = "point" if isinstance(right, tuple) else "number"
+    assert "rounded" not in judged(answer, right, kind, ()).feedback
+
+
+def test_a_decimal_number_may_stand_for_a_root():
+    said = 'Right. Write roots in quotes, such as "sqrt(2)", and the answer is exact.'
+    assert judged(2**0.5, sqrt(2), "number", ()) == (CORRECT, said)
+    assert judged(1.4142, sqrt(2), "number", ()).status == WRONG
+
+
 def test_what_cannot_be_decided_is_not_wrong(monkeypatch):
     monkeypatch.setattr("bezteach.homework.values.same", lambda *both: None)
     assert judged("sqrt(2)", F(1), "number", ()).status == OPEN
