@@ -131,6 +131,8 @@ def derivative_by(position, body, letter, order):
     if not isinstance(letter.value, Symbol) or letter.value in WHOLE:
         raise InvalidAnswer("a derivative is taken by a letter for real numbers: take t or u", letter.position)
     whole_formula(expression(*order), "the order of a derivative", MAX_EXPONENT, order.position, least=1)
+    if isinstance(body, Derivative) and not all(inner.is_nonnegative for _, inner in body.variable_count):
+        raise InvalidAnswer("the order inside may be negative: write one derivative, of the whole order", position)
     return Derivative(body, (letter.value, order.value))
 
 

@@ -6,6 +6,7 @@ from .errors import InvalidAnswer
 from .grammar import Grammar
 from .names import INTEGERS, LETTERS, WHOLE
 from .nodes import MAX_FACTORIAL, whole_formula
+from .undefined import risks
 
 _LETTERS = frozenset([*LETTERS.values(), *INTEGERS.values()]) - {LETTERS["E"]}
 _TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<=", "=": "="}
@@ -75,7 +76,7 @@ def _narrow(found, letter, sign, limit):
 def _nearest_inside(value, letter, sign, position):
     """The limit itself left out: of whole numbers, those beyond p/q with whole p, q are those from (p -+ 1)/q on."""
     above, below = together(value).as_numer_denom()
-    if not below.is_Integer:
+    if not below.is_Integer or risks(value):
         raise InvalidAnswer(f"{letter} {sign} a quotient by letters is not read: write {sign}= here", position)
     return expand((above + {"<": -1, ">": 1}[sign]) / below)
 

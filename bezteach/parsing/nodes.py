@@ -85,12 +85,7 @@ def power(base, exponent, position):
     """base ** exponent; the position is the exponent's."""
     short_formula(exponent, "an exponent", MAX_EXPONENT, position, letters=None)
     _refuse_dear_power(base, exponent, position)
-    result = _built(position, Pow, base, exponent)
-    if result.has(zoo):
-        raise InvalidAnswer("this divides by zero: 0 has no negative power", position)
-    if result.has(I):
-        raise InvalidAnswer("a root of a negative number is not a real number: change the sign", position)
-    return bounded(result, position)
+    return bounded(_built(position, Pow, base, exponent), position)
 
 
 def _refuse_dear_power(base, exponent, position):
@@ -114,7 +109,7 @@ def _refuse_dear_power(base, exponent, position):
         raise InvalidAnswer("only numbers, letters and their powers are read under a root: leave out others", position)
     if bits > _bits(most):
         raise InvalidAnswer(f"the numbers of this power have more than {most} digits: take smaller ones", position)
-    if base.is_Rational and base < 0 and (fraction or exponent.free_symbols - WHOLE):
+    if base.is_Rational and base < 0 and not exponent.is_integer:
         raise InvalidAnswer("a root of a negative number is not a real number: change the sign", position)
 
 
@@ -221,8 +216,10 @@ def _built(position, build, *args):
         result = build(*args)
     except (ArithmeticError, TypeError, ValueError, NotImplementedError) as error:
         raise InvalidAnswer("this cannot be calculated: write it in a simpler way", position) from error
-    if result.has(zoo, nan, oo, I):
-        return result
+    if result.has(zoo, nan, oo):
+        raise InvalidAnswer("this divides by zero: 0 has no negative power", position)
+    if result.has(I):
+        raise InvalidAnswer("a root of a negative number is not a real number: change the sign", position)
     for term in Add.make_args(result):
         coefficient = term.as_coeff_Mul()[0]
         if coefficient.is_Rational and max(abs(coefficient.p), coefficient.q).bit_length() > _bits(MAX_RESULT_DIGITS):

@@ -1,6 +1,9 @@
 """The indices of sums and products: symbols of their own, of which nothing is assumed that their limits do not say."""
 
+from collections import Counter
+
 from sympy import Add, Dummy, Mul, Pow, Product, Sum, Symbol
+from sympy.core.function import Application
 
 
 def with_indices(expr, letter):
@@ -8,7 +11,7 @@ def with_indices(expr, letter):
     if not expr.has(Sum, Product):
         return expr
     if not isinstance(expr, Sum | Product):
-        return _rebuilt(expr, [with_indices(part, letter) for part in expr.args])
+        return rebuilt(expr, [with_indices(part, letter) for part in expr.args])
     function, inner, limits = expr.function, list(expr.limits), []
     while inner:  # its ends are outside, and stay
         index, *ends = inner.pop()
@@ -19,7 +22,7 @@ def with_indices(expr, letter):
 
 
 def renamed(expr, names):
-    """The expression with other symbols, {symbol: symbol}, and for the rest as it stands.
+    """The expression with other symbols, or other parts, {part: part}, and for the rest as it stands.
 
     >>> from bezteach.symbolic import i, k
     >>> renamed(Mul(i, 1 / i, evaluate=False), {i: k})
@@ -27,15 +30,24 @@ def renamed(expr, names):
     """
     if expr in names:
         return names[expr]
-    return _rebuilt(expr, [renamed(part, names) for part in expr.args]) if expr.args else expr
+    return rebuilt(expr, [renamed(part, names) for part in expr.args]) if expr.args else expr
 
 
-def _rebuilt(expr, parts):
-    """The expression with other parts, as it stands: what SymPy would cancel may not be defined."""
+def rebuilt(expr, parts):
+    """The expression with other parts, as it stands: what SymPy would cancel, or work out, may not be defined.
+
+    >>> from sympy import binomial
+    >>> from bezteach.symbolic import n
+    >>> rebuilt(binomial(n, 0, evaluate=False), [n - 30, 0])
+    binomial(n - 30, 0)
+    """
     if parts == list(expr.args):
         return expr
-    as_it_stands = isinstance(expr, Add | Mul | Pow) and expr.func(*expr.args) != expr
-    return expr.func(*parts, evaluate=False) if as_it_stands else expr.func(*parts)
+    result = expr.func(*parts)
+    if not isinstance(expr, Add | Mul | Pow | Application):
+        return result
+    as_it_stands = result.func is expr.func and Counter(result.args) == Counter(parts)
+    return result if as_it_stands else expr.func(*parts, evaluate=False)
 
 
 def with_fresh_indices(expr):

@@ -1,7 +1,7 @@
 """Powers of quotients, products and powers with letters in the exponents, and what stands in them unevaluated."""
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from sympy import Add, Integer, Interval, Mul, Pow, Rational, oo, powsimp
 
@@ -62,7 +62,10 @@ def unevaluated(tree):
 @given(st.recursive(LEAVES, unevaluated, max_leaves=5), st.booleans())
 def test_what_is_proved_of_a_formula_as_it_is_written_holds(formula, wrong):
     """SymPy, told to go by no sign, gives the other side, or a wrong one."""
-    other = powsimp(formula, force=True) * (2 if wrong else 1)
+    try:
+        other = powsimp(formula, force=True) * (2 if wrong else 1)
+    except IndexError:  # SymPy's own, for 0**0 that stands unevaluated
+        assume(False)
     letters = formula.free_symbols | other.free_symbols
     ranges = {letter: found for letter, found in RANGES.items() if letter in letters}
     if i in letters:

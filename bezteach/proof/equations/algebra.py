@@ -9,7 +9,7 @@ from sympy import Add, Dummy, Indexed, Mul, Pow, S, Subs, Sum, expand, oo
 from bezteach.symbolic import B, Step
 
 from ..certificate import ByTerms, Group, Part, TermsCase
-from ..indices import with_fresh_indices
+from ..indices import renamed, with_fresh_indices
 from ..regions import region_of
 from ..terms.defined import check_defined
 from ..terms.linear import coefficients, impossible, is_whole_form, least
@@ -90,7 +90,7 @@ def _with_ends_apart(expr):
     for end in {function.args[2] for total in expr.atoms(Sum) for function in total.atoms(B)} & {S.Zero, S.One}:
         x = Dummy("x", real=True)
         moved = {f: B(*f.args[:2], x) for f in expr.atoms(B) if f.args[2] == end}
-        expr = Subs(expr.xreplace(moved), x, end)
+        expr = Subs(renamed(expr, moved), x, end)
     return expr
 
 

@@ -28,6 +28,7 @@ from sympy import (
 from bezteach.symbolic import B
 
 from ..budget import Budget
+from ..indices import rebuilt, renamed
 from ..ranges import Integers, ends
 from ..terms.defined import check_defined
 from ..terms.linear import impossible, is_whole_form
@@ -89,14 +90,14 @@ def _with_free_indices(expr, taken):
     if not expr.has(Sum, Integral):
         return expr
     if not isinstance(expr, Sum | Integral):
-        return expr.func(*[_with_free_indices(part, taken) for part in expr.args])
+        return rebuilt(expr, [_with_free_indices(part, taken) for part in expr.args])
     function, inner, limits = expr.function, list(expr.limits), []
     while inner:
         variable, *ends = inner.pop()
         if variable in taken:
             letter = Dummy(variable.name, integer=variable.is_integer, real=True)
-            function = function.xreplace({variable: letter})
-            inner, variable = [part.xreplace({variable: letter}) for part in inner], letter
+            function = renamed(function, {variable: letter})
+            inner, variable = [renamed(part, {variable: letter}) for part in inner], letter
         taken |= {variable}
         limits.insert(0, (variable, *ends))
     return expr.func(_with_free_indices(function, taken), *limits)

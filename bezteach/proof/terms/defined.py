@@ -96,8 +96,6 @@ def _check(expr, conditions, reals):
             _check_not_negative(expr, order, conditions)
     elif isinstance(expr, Subs):
         for point in expr.point:
-            if point.has(E) and expr.expr.has(*_OF_NUMBERS):
-                raise Failure(f"it is not known where {expr} has a value")
             _check(point, conditions, reals)
     elif not isinstance(expr, _OF_ITS_PARTS) or (isinstance(expr, _OF_NUMBERS) and expr.has(E)):
         raise Failure(f"it is not known where {expr} has a value")
@@ -108,18 +106,24 @@ def _check(expr, conditions, reals):
 def _bodies(expr):
     """The parts that must have a value, without variables and points.
 
-    What is bound in them is a letter of its own, that is no whole number, and may be 0 also where it was the operator.
+    What is bound in them is a letter of its own, that is no whole number; an operator, where one is put in its place.
     """
     if isinstance(expr, Derivative):
-        parts, bound = (expr.expr,), [symbol for symbol, _ in expr.variable_count]
+        parts, bound = (expr.expr,), {symbol: symbol for symbol, _ in expr.variable_count}
     elif isinstance(expr, Subs):
-        parts, bound = (expr.expr,), expr.variables
+        parts, bound = (expr.expr,), dict(zip(expr.variables, expr.point, strict=True))
     elif isinstance(expr, Integral):  # an inner limit may hold an outer variable
-        parts, bound = (expr.function, *(end for _, *ends in expr.limits for end in ends)), expr.variables
+        parts = (expr.function, *(end for _, *ends in expr.limits for end in ends))
+        bound = {symbol: symbol for symbol in expr.variables}
     else:
         return expr.args
-    letters = {symbol: Dummy(symbol.name, integer=False) for symbol in bound}
+    letters = {symbol: _stand_in(symbol, value) for symbol, value in bound.items()}
     return [renamed(part, letters) for part in parts]
+
+
+def _stand_in(symbol, value):
+    letter = Dummy(symbol.name, integer=False)
+    return E + letter if value.has(E) else letter
 
 
 def _check_ends(expr, forms, conditions, reals):

@@ -28,7 +28,7 @@ from .atoms import ATOMS, POINT, one_at_zero
 from .calculus_terms import at_point, derivative, integral
 from .edges import Edge, need, never, one_of
 from .linear import is_whole_form, least
-from .size import MOST_TERMS
+from .size import MOST_TERMS, MOST_TO_FACTOR, check_size, most_terms
 from .terms import Failure, Term, inverse, power_of, times
 
 __all__ = ["POINT", "Edge", "need", "never", "normal"]
@@ -95,7 +95,10 @@ def _power(expr, whole, conditions):
         factors = [factor.as_base_exp() for factor in Mul.make_args(base)]
         return normal(Mul(*[Pow(inner, power * exponent) for inner, power in factors]), whole, conditions)
     if base.is_Add and _is_small_quotient(base, whole):
+        check_size(base)
         above, below = fraction(together(base))
+        if max(map(most_terms, (above, below))) > MOST_TO_FACTOR:
+            raise Failure("a quotient with too many terms")
         if below != 1:
             return _power(Pow(above / below, exponent, evaluate=False), whole, conditions)
     if not exponent.is_Integer:
@@ -117,6 +120,8 @@ def _repeated(base, exponent, whole, conditions):
     terms = [Term()]
     for _ in range(exponent):
         terms = [times(one, other) for one in terms for other in normal(base, whole, conditions)]
+        if len(terms) > MOST_TERMS:
+            raise Failure("a power with too many terms")
     return terms
 
 
