@@ -5,10 +5,11 @@ from typing import NamedTuple
 from sympy import Expr
 
 from bezteach.parsing import InvalidAnswer
-from bezteach.proof import PROVED, REFUTED, check_derivation
+from bezteach.proof import PROVED, REFUTED
 from bezteach.symbolic import text
 
 from .formulas import formula_of
+from .remembered import derived
 from .verdict import CORRECT, INVALID, OPEN, PARTLY, WRONG, Verdict
 
 MOST = 30  # lines
@@ -57,7 +58,7 @@ def compared(lines, start, goal, ranges, least=1):
     """
     if not _is_same(lines[0].formula, start):
         return Verdict(WRONG, f"The first line is not what is given: begin with {text(start)}.")
-    judgement = check_derivation([line.formula for line in lines], given=ranges, budget=SECONDS)
+    judgement = derived([line.formula for line in lines], ranges, SECONDS)
     wrong = judgement.first_wrong
     if wrong is not None:
         where = judgement.lines[wrong - 1].counterexample

@@ -7,13 +7,14 @@ from sympy import Add, Dummy, Expr, Indexed, Integer, Mul, Poly, PolynomialError
 
 from bezteach.parsing import InvalidAnswer
 from bezteach.proof import INVALID as MEANINGLESS
-from bezteach.proof import PROVED, REFUTED, Budget, OutOfTime, Undefined, Unsupported, prove, statement
+from bezteach.proof import PROVED, REFUTED, Budget, OutOfTime, Undefined, Unsupported, statement
 from bezteach.proof.exact.evaluate import evaluator
 from bezteach.proof.exact.refuter import shown, walk
 from bezteach.proof.ranges import about
 from bezteach.symbolic import B
 
 from .reading import read
+from .remembered import proved
 from .verdict import CORRECT, INVALID, OPEN, WRONG, Verdict
 
 SECONDS = 5.0  # for one comparison
@@ -51,13 +52,13 @@ def compared(given, right, ranges, mistakes=()):
     """
     if given == right:
         return Verdict(CORRECT, "Right: this is the formula.")
-    verdict = prove(given, right, given=about((given, right), ranges), budget=SECONDS)
+    verdict = proved(given, right, about((given, right), ranges), SECONDS)
     if verdict.status == PROVED:
         return Verdict(CORRECT, "Right, and proved for all that is asked.")
     if verdict.status == MEANINGLESS:
         return Verdict(INVALID, verdict.note)
     for mistake, feedback in mistakes:
-        if prove(given, mistake, given=about((given, mistake), ranges), budget=SECONDS).status == PROVED:
+        if proved(given, mistake, about((given, mistake), ranges), SECONDS).status == PROVED:
             return Verdict(WRONG, feedback)
     if verdict.status == REFUTED:
         return Verdict(WRONG, _where(verdict.counterexample))

@@ -15,11 +15,14 @@ from bezteach import symbolic
 from bezteach.display import points
 from bezteach.numeric.exact import nested
 from bezteach.parsing import InvalidAnswer
-from bezteach.proof import PROVED, REFUTED, prove
+from bezteach.proof import PROVED, REFUTED
 
 from . import derivations, formulas, truth, values
 from .reading import is_blank
+from .remembered import proved
 from .verdict import CORRECT, INVALID, PARTLY, UNATTEMPTED, WRONG, Verdict
+
+SECONDS = 10.0  # for the truth of what is asked
 
 
 class Question(NamedTuple):
@@ -123,7 +126,7 @@ def asks_truth(text, relation, ranges, hints=()):
     """
 
     def verdict_of(data):
-        verdict = prove(relation(data), given=ranges)
+        verdict = proved(relation(data), None, ranges, SECONDS)
         if verdict.status not in (PROVED, REFUTED):
             raise ValueError(f"a question of truth that is {verdict.status}: {relation(data)}")
         return verdict
