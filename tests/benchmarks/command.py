@@ -39,7 +39,8 @@ def main(arguments=None):
         return 2
     grown = list(grow(options, wanted))
     rounded = [row for row in accuracy.rows(options.small) if wanted(row.name)]
-    rows = [*timed, *(growth.row(series, times) for series, times in grown), *rounded]
+    costs = [*timed, *(growth.row(series, times) for series, times in grown)]
+    rows = [*(replace(row, bar=None) if options.small else row for row in costs), *rounded]
     if options.plot and grown:
         growth.plotted(grown, options.plot)
     print("", *report.table(rows), sep="\n", file=said)
@@ -53,8 +54,7 @@ def speed(options, wanted):
     """The rows of all jobs that are wanted, as they come."""
     for job in chain.from_iterable(subject.jobs(options.small) for subject in SUBJECTS.values()):
         if wanted(job.name):
-            row = measured(job, options.runs)
-            yield replace(row, bar=None) if options.small else row
+            yield measured(job, options.runs)
     if options.long:
         yield from (clock.whole(name) for name in clock.LONG if wanted(name))
 
