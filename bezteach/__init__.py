@@ -55,7 +55,8 @@ def __getattr__(name):
     if name in _MODULES:
         return import_module(f"bezteach.{name}")
     if name in _NUMERIC:
-        return getattr(import_module("bezteach.numeric"), name)
+        globals()[name] = found = getattr(import_module("bezteach.numeric"), name)  # once: this way takes microseconds
+        return found
     raise AttributeError(f"module 'bezteach' has no attribute {name!r}")
 
 
