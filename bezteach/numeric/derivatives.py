@@ -10,6 +10,8 @@ from bezteach.numeric.arrays import FLOAT, control_points, drop, finish, one_ari
 from bezteach.numeric.basis import basis
 from bezteach.numeric.evaluation import values_at
 
+BLOCK = 2**15  # parameters at a time, so that what is in between stays in the processor's cache
+
 
 @quiet
 def hodograph(points, r=1):
@@ -71,21 +73,25 @@ def curvature(points, t):
     if points.dtype is FLOAT:  # curvature is a reciprocal length: a power of two keeps its factors in range
         exponent = -frexp(abs(points).max())[1]
         points = np.ldexp(points, exponent)
-    edges, places = differences(points, 1), t.ravel()
-    first, second = values_at(edges, places), values_at(differences(points, 2), places)
+    edges, bends, places = differences(points, 1), differences(points, 2), t.ravel()
     if points.dtype is not FLOAT:
-        values = exact_curvature(first, second, places)
+        values = exact_curvature(values_at(edges, places), values_at(bends, places), places)
     else:
-        speed = length(first)
-        refuse_rest(edges, speed, places)
-        if speed.min() < 1e-90:  # divide before the product vanishes
-            turn = cross(first / speed[..., None], second / speed[..., None])
-            values = reduce(np.hypot, turn) / speed
-        else:
-            turn = cross(first, second)  # in the plane one number with its sign
-            values = reduce(np.hypot, turn) / (speed * speed * speed)
-        values = np.ldexp(values, exponent)
+        parts = np.array_split(places, -(-places.size // BLOCK))
+        values = np.ldexp(np.concatenate([quotient(edges, bends, part) for part in parts], axis=-1), exponent)
     return finish(values.reshape((*points.shape[:-2], *t.shape)))[()]
+
+
+def quotient(edges, bends, t):
+    """Curvature in float64 at a row of parameters, of the control points of the first and the second derivative."""
+    first, second = values_at(edges, t), values_at(bends, t)
+    speed = length(first)
+    refuse_rest(edges, speed, t)
+    if speed.min() < 1e-90:  # divide before the product vanishes
+        turn = cross(first / speed[..., None], second / speed[..., None])
+        return reduce(np.hypot, turn) / speed
+    turn = cross(first, second)  # in the plane one number with its sign
+    return reduce(np.hypot, turn) / (speed * speed * speed)
 
 
 def length(vectors):
@@ -107,8 +113,9 @@ def refuse_rest(edges, speed, t):
     unit = 4 * (n + 2) * np.finfo(float).eps
     ends = np.array([t.min(), t.max()])
     growth = (abs(ends) + abs(1 - ends)).max() ** n  # of the sum of |B_i|, which is 1 on [0, 1]
-    doubtful = (speed <= unit * growth * lengths.max()).reshape(-1, t.size).any(axis=0)
-    if doubtful.any():
+    least = unit * growth * lengths.max()
+    if speed.min() <= least:
+        doubtful = (speed <= least).reshape(-1, t.size).any(axis=0)
         t = t[doubtful]
         rest = speed[..., doubtful] <= unit * lengths @ abs(basis(n, t)).T
         if rest.any():
