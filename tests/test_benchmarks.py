@@ -5,6 +5,7 @@ import subprocess
 import sys
 from itertools import count
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from benchmarks import command, growth, peers, plain, report
@@ -157,6 +158,14 @@ def test_all_jobs_run_and_the_json_is_read_back(tmp_path, capsys):
     assert errors and all(row["holds"] in (True, None) for row in errors)
     assert all(row["bar"] is None for row in record["rows"] if row["unit"] != "u")
     assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+def test_our_wrong_answer_is_told_beside_the_other_jobs(monkeypatch, capsys):
+    clock = Clock()
+    jobs = [job(clock, clock.taking("ours", 1, answer)) for answer in (7, 8)]
+    monkeypatch.setattr(command, "SUBJECTS", {"seven": SimpleNamespace(jobs=lambda small: jobs)})
+    assert command.main(["seven"]) == 2
+    assert capsys.readouterr().out.endswith("seven: our own answer is wrong\n")
 
 
 def test_without_peers_every_job_still_runs_and_nothing_is_claimed(monkeypatch, capsys):
