@@ -150,7 +150,7 @@ def _is_array(value):
 
 def _number(value):
     """The value as int, Fraction, float or SymPy expression; None if it is no finite real number."""
-    if type(value) is int:
+    if type(value) is int or (type(value) is Fraction and type(value.numerator) is type(value.denominator) is int):
         return value
     if hasattr(value, "free_symbols"):
         return _expression(value)

@@ -23,6 +23,7 @@ from bezteach.numeric.arrays import (
     whole,
 )
 from bezteach.numeric.evaluation import sample
+from bezteach.numeric.exact import all_rational, integer_triangle, over
 
 
 @quiet
@@ -47,7 +48,9 @@ def de_casteljau(points, t):
     t = t[()]
     level = points.copy()
     levels = [level]
-    while level.shape[-2] > 1:
+    if all_rational(points, t):
+        levels += [over(*pair) for pair in integer_triangle(points, t)[1:]]
+    while levels[-1].shape[-2] > 1:
         level = (1 - t) * level[..., :-1, :] + t * level[..., 1:, :]
         levels.append(level)
     return tuple(finish(level, flat) for level in levels)
@@ -95,6 +98,11 @@ def split(points, t):
 
 def halves(points, t):
     """split(points, t) without the checks."""
+    if all_rational(points, t[()]):
+        levels = integer_triangle(points, t[()])
+        left = [over(level[..., 0, :], below) for level, below in levels]
+        right = [over(level[..., -1, :], below) for level, below in levels[::-1]]
+        return np.stack(left, axis=-2), np.stack(right, axis=-2)
     n = points.shape[-2] - 1
     left = act(basis.segment_rows(n, np.zeros_like(t), t), points)
     right = act(basis.segment_rows(n, t, np.ones_like(t)), points)

@@ -1,6 +1,7 @@
 """Numbers that divide exactly, Fractions and SymPy expressions, and what is known of their signs."""
 
 from fractions import Fraction
+from math import lcm
 from numbers import Rational
 
 import numpy as np
@@ -9,6 +10,28 @@ import numpy as np
 def exact(values):
     """The numbers as Fractions or SymPy expressions, which divide exactly."""
     return np.frompyfunc(lambda x: Fraction(x) if isinstance(x, (int, float)) else x, 1, 1)(values)
+
+
+over = np.frompyfunc(Fraction, 2, 1)
+
+
+def all_rational(points, t):
+    """Whether t is a Fraction and all of the points are Fractions and ints."""
+    return type(t) is Fraction and all(type(x) in (int, Fraction) for x in points.flat)
+
+
+def integer_triangle(points, t):
+    """De Casteljau's levels of rational numbers, each in integers over one denominator: pairs (level, denominator).
+
+    A sum of Fractions looks for a common divisor, one of integers does not, and takes a fiftieth of the time.
+    """
+    below, p, q = lcm(*(x.denominator for x in points.flat)), t.numerator, t.denominator
+    level = np.frompyfunc(lambda x: x.numerator * (below // x.denominator), 1, 1)(points)
+    levels = [(level, below)]
+    while level.shape[-2] > 1:
+        level, below = (q - p) * level[..., :-1, :] + p * level[..., 1:, :], below * q
+        levels.append((level, below))
+    return levels
 
 
 def nested(value):
