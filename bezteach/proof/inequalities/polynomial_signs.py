@@ -54,7 +54,9 @@ def _of_polynomial(expr, region, most_reals=MOST_REALS):
     content, factors = Poly(expr, *sorted(expr.free_symbols, key=str), domain="QQ").factor_list()
     found = [_of_polynomial(content, region)]
     for factor, times in factors:
-        once = _of_irreducible(factor.exclude().clear_denoms()[1], region, most_reals)
+        symbols = [symbol for symbol in factor.gens if factor.degree(symbol)]  # exclude() fails on python-flint
+        factor = Poly(factor.as_expr(), *symbols, domain="QQ")
+        once = _of_irreducible(factor.clear_denoms()[1], region, most_reals)
         found.append(frozenset(sign**times for sign in once))
     return product(*found)
 
