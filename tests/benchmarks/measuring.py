@@ -29,7 +29,7 @@ def measured(job, runs=RUNS):
         against=job.against,
         bar=job.bar,
         absolute=job.absolute,
-        refused=tuple(job.peers.keys() - peers.keys()),
+        refused=tuple(name for name in job.peers if name not in peers),
     )
 
 
