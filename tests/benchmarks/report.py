@@ -8,7 +8,7 @@ import numpy as np
 
 from . import peers
 
-UNITS = {"s": ((1, "s"), (1e-3, "ms"), (1e-6, "µs"))}
+TIMES = ((1, "s"), (1e-3, "ms"), (1e-6, "µs"))
 WORDS = {True: "holds", False: "MISSED", None: ""}
 
 
@@ -28,23 +28,29 @@ def quantity(value, unit="s"):
         return ""
     if unit != "s":
         return f"{value:.3g} {unit}"
-    factor, name = next((pair for pair in UNITS["s"] if value >= pair[0]), UNITS["s"][-1])
+    factor, name = next((pair for pair in TIMES if value >= pair[0]), TIMES[-1])
     return f"{value / factor:.3g} {name}"
 
 
 def line(row):
     """The cells of a row."""
     best = f"{quantity(row.others[row.best], row.unit)} {row.best}" if row.best else ""
-    against = row.rival or " or ".join(row.against)
-    ratio = (
-        ""
-        if row.ratio is None or row.absolute
-        else f"{row.ratio:.2f}" + (f" of {against}" if row.rival != row.best else "")
-    )
     bar = "" if row.bar is None else quantity(row.bar, row.unit) if row.absolute else f"{row.bar:g}"
-    absent = row.bar is not None and row.holds is None
-    verdict = f"? {against} is not there" if absent else WORDS[row.holds]
-    return [row.name, quantity(row.ours, row.unit), best, ratio, bar, verdict]
+    return [row.name, quantity(row.ours, row.unit), best, ratio(row), bar, verdict(row)]
+
+
+def ratio(row):
+    """The ratio in two digits, with the peer's name where that is not the best one."""
+    if row.ratio is None or row.absolute:
+        return ""
+    return f"{row.ratio:.2f}" + (f" of {row.rival}" if row.rival != row.best else "")
+
+
+def verdict(row):
+    """Whether the bar holds, or why that is not known, in a word."""
+    if row.bar is not None and row.holds is None:
+        return f"? {' or '.join(row.against) or 'a peer'} is not there"
+    return WORDS[row.holds]
 
 
 HEADINGS = ["job", "ours", "best peer", "ratio", "bar", ""]
