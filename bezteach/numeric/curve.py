@@ -92,22 +92,22 @@ def split(points, t):
     """
     points, flat = control_points(points)
     points, t = one_arithmetic(points, parameter(t))
-    left, right = halves(points, t)
-    return finish(left, flat), finish(right, flat)
+    both = finish(halves(points, t))
+    return drop(both[..., 0, :, :], flat), drop(both[..., 1, :, :], flat)
 
 
 def halves(points, t):
-    """split(points, t) without the checks."""
+    """Both parts of split(points, t), without the checks: shape (..., 2, n+1, d)."""
     if all_rational(points, t[()]):
         levels = integer_triangle(points, t[()])
-        left = [over(level[..., 0, :], below) for level, below in levels]
-        right = [over(level[..., -1, :], below) for level, below in levels[::-1]]
-        return np.stack(left, axis=-2), np.stack(right, axis=-2)
-    n = points.shape[-2] - 1
-    left = act(basis.segment_rows(n, np.zeros_like(t), t), points)
-    right = act(basis.segment_rows(n, t, np.ones_like(t)), points)
-    right[..., 0, :] = left[..., -1, :]  # equal but for the order in which a product adds up
-    return left, right
+        parts = [[over(level[..., at, :], below) for level, below in levels[::step]] for at, step in ((0, 1), (-1, -1))]
+        return np.stack([np.stack(part, axis=-2) for part in parts], axis=-3)
+    *lead, count, d = points.shape
+    rows = basis.segment_rows(count - 1, np.stack([np.zeros_like(t), t]), np.stack([t, np.ones_like(t)]))
+    both = act(rows.reshape(-1, count), points).reshape(*lead, 2, count, d)
+    for c in range(d):  # p(t) comes out equal but for the order in which a product adds up; all d at once takes longer
+        both[..., 1, 0, c] = both[..., 0, -1, c]
+    return both
 
 
 def act(rows, points):
@@ -139,7 +139,7 @@ def subdivide(points, depth):
     half = np.array(0.5 if points.dtype is FLOAT else Fraction(1, 2))
     parts = points.reshape(-1, count, d).copy()
     for _ in range(depth):
-        parts = np.stack(halves(parts, half), axis=1).reshape(-1, count, d)
+        parts = halves(parts, half).reshape(-1, count, d)
     return finish(parts.reshape(*lead, 2**depth, count, d), flat)
 
 
