@@ -13,7 +13,9 @@ class _TextPrinter(StrPrinter):
     printmethod = "_text"  # and not "_sympystr", by which an Indexed prints itself
 
     def _as_ordered_terms(self, expr, order=None):
-        return sorted(super()._as_ordered_terms(expr, order), key=lambda term: term.could_extract_minus_sign())
+        terms = super()._as_ordered_terms(expr, order)
+        first = next((term for term in terms if not term.could_extract_minus_sign()), terms[0])
+        return [first, *(term for term in terms if term is not first)]
 
     def _print_Add(self, expr, order=None):
         return f"g({self._print(expr.coeff(E))})" if _is_step(expr) else super()._print_Add(expr, order)
