@@ -12,7 +12,8 @@ Put your answer in the place of the three dots and run the cell. A number is `2`
 with a sign after a fraction, `"n/(n+1) * b_1"`. Write the answer itself into the call: it is also read without \
 running the notebook. Where there is a board, drag its points and copy its last line, the check, into the cell below it.
 
-`hint("{id}")` gives one more hint each time, `solution("{id}")` the answer once you have tried."""
+`start()` takes the book's numbers, `start("Ada")` those of a student of this name. `hint("{id}")` gives one more hint \
+each time, `solution("{id}")` the answer once you have tried."""
 IMPORTS = """from fractions import Fraction
 
 from bezteach.homework import ask, board, check, hint, points, solution, start"""

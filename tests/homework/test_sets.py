@@ -46,6 +46,7 @@ def test_every_question_is_here():
 @pytest.mark.parametrize("id", BOOK)
 def test_the_right_answer_of_the_book_in_several_forms(id):
     name, question = QUESTIONS[id]
+    assert len(BOOK[id][0]) >= 2
     for answer in BOOK[id][0]:
         assert judged(question, data_of(name), answer).status == CORRECT, answer
 
