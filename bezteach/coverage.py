@@ -3,9 +3,8 @@
 The pictures are lost in the sources' texts; what they were of is listed here, with the call that a lesson draws it by.
 """
 
+import json
 from typing import NamedTuple
-
-import nbformat
 
 from .display import Page, escaped
 from .examples import EXAMPLES
@@ -112,12 +111,18 @@ def table():
     return Page("\n".join(text), "\n".join(rows))
 
 
-def _cells():
-    """(lesson, In number, source) of every code cell of the numbered lessons, as stored."""
+def stored():
+    """(lesson, cell, its text) of every cell of the numbered lessons, read as JSON: nbformat takes a second to load."""
     for path in sorted(LESSONS.glob("[0-9][0-9]-*.ipynb")):
-        for cell in nbformat.read(path, 4).cells:
-            if cell.cell_type == "code" and cell.execution_count:
-                yield path.stem[:2], cell.execution_count, cell.source
+        for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
+            yield path.stem[:2], cell, "".join(cell["source"])
+
+
+def _cells():
+    """(lesson, In number, source) of every code cell that was run."""
+    for lesson, cell, source in stored():
+        if cell.get("execution_count"):
+            yield lesson, cell["execution_count"], source
 
 
 def _holding(cells, code, lesson=""):

@@ -1,8 +1,6 @@
 """The key terms of the course in English and Chinese, in the order in which the lessons bring them."""
 
-import nbformat
-
-from .coverage import LESSONS
+from .coverage import stored
 from .display import Page
 
 TERMS = {
@@ -144,9 +142,8 @@ def table():
 
 def _prose():
     """{lesson: its prose}, of the lessons from 01 on."""
-    paths = sorted(path for path in LESSONS.glob("[0-9][0-9]-*.ipynb") if not path.name.startswith("00"))
-    notebooks = {path.stem[:2]: nbformat.read(path, 4) for path in paths}
-    return {
-        name: "\n".join(cell.source for cell in one.cells if cell.cell_type == "markdown")
-        for name, one in notebooks.items()
-    }
+    prose = {}
+    for lesson, cell, source in stored():
+        if cell["cell_type"] == "markdown" and lesson != "00":
+            prose[lesson] = prose.get(lesson, "") + source + "\n"
+    return prose
