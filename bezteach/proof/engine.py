@@ -59,8 +59,8 @@ def decided(claim, clock):
             proof = prover(claim, clock if prover is PROVERS[-1] else clock.part(PROVERS_SHARE))
         except InvalidStatement:
             raise
-        except (OutOfTime, Unsupported, ValueError):  # SymPy refuses values such as a derivative's order below 0
-            continue
+        except (OutOfTime, Unsupported, ValueError, TypeError):
+            continue  # SymPy refuses values such as a derivative's order below 0, and cannot put two Subs in order
         if proof is not None:
             return proof
     return Proof(UNDECIDED, "", note=f"no counterexample: {found}")

@@ -262,3 +262,34 @@ def test_what_sympy_refuses_breaks_nothing():
     assert bench.judge("sum(diff(t^k,t,i-1),k,0,i-2)=0", "i>=0").status == "CHECKED"
     assert prove(Sum(Derivative(t**k, (t, i - 1)), (k, 0, i - 2)), 0).status == "CHECKED"
     assert prove(Sum(B(k, n, t), (k, 0, n)), 1).status == "PROVED"
+
+
+X = Symbol("x", real=True)
+AHEAD = Mul(*[n - value for value in range(9)], evaluate=False)  # 0 wherever the refuter looks
+
+
+@pytest.mark.parametrize(
+    ("given", "captured", "right"),
+    [
+        (Subs(B(1, 1, Integral(X * t, (t, 0, 1))), X, t), Integral(t**2, (t, 0, 1)), t / 2),
+        (Subs(B(n, n, Integral(X * u, (u, 0, 1))), X, u), B(n, n, Integral(u**2, (u, 0, 1))), (u / 2) ** n),
+        (Subs(B(1, 1, Subs(X * t, t, 2)), X, t), B(1, 1, Subs(t**2, t, 2)), 2 * t),
+        (Subs(B(1, 1, Sum(k * X, (k, 0, 3))), X, t), B(1, 1, Sum(k**2, (k, 0, 3))), 6 * t),
+    ],
+    ids=["a bare integral", "a power", "a value put in", "a sum"],
+)
+def test_what_is_put_in_is_not_bound_by_what_is_inside(given, captured, right):
+    assert prove(AHEAD * given, AHEAD * captured).status == "CHECKED"
+    assert prove(given, captured).status == "REFUTED"
+    assert prove(AHEAD * given, AHEAD * right).status in ("PROVED", "CHECKED")
+
+
+def test_an_inner_sum_over_the_same_index_may_divide():
+    assert bench.judge("sum(1/sum(1,k,0,n), k, 0, n) = 1").status == "CHECKED"
+    assert bench.judge("sum(1/sum(1,k,0,n), k, 0, n) = n").status == "REFUTED"
+
+
+def test_two_values_put_in_that_sympy_cannot_order_break_nothing():
+    put_in = Subs(binomial(n, i - 1), X, t) + Subs(i * binomial(n, i - 1), X, u)
+    assert prove(put_in, (i + 1) * binomial(n, i - 1)).status == "CHECKED"
+    assert prove(put_in, i * binomial(n, i - 1)).status == "REFUTED"

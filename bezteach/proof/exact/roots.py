@@ -6,6 +6,7 @@ from itertools import islice
 from sympy import Pow, Sum
 
 from ..errors import InvalidStatement, Undefined, Unsupported
+from ..indices import with_fresh_indices
 from .evaluate import evaluator
 from .polynomial import Polynomial
 from .walk import is_allowed
@@ -25,7 +26,9 @@ def roots(statement, walked, budget):
     symbols = tuple(statement.ranges)
     found = (
         point
-        for divisor in dict.fromkeys([*_divisors(statement.lhs), *_divisors(statement.rhs)])
+        for divisor in dict.fromkeys(
+            divisor for side in (statement.lhs, statement.rhs) for divisor in _divisors(with_fresh_indices(side))
+        )
         if divisor.free_symbols and divisor.free_symbols <= set(symbols)
         for values in walked
         for point in _zeros(divisor, symbols, values, budget)

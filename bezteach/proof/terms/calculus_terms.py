@@ -1,6 +1,6 @@
 """Derivatives, integrals and values at a point, term by term, in a real variable."""
 
-from sympy import S, expand
+from sympy import Integral, S, Subs, expand
 
 from .edges import need, never
 from .size import MOST, MOST_TERMS
@@ -63,6 +63,8 @@ def _often(term, variable, count, conditions):
 def at_point(terms, variable, value, conditions):
     """The terms with a value put in for a real variable."""
     check_real(terms, variable)
+    if any(form.has(Integral, Subs) for term in terms for form in (term.coefficient, *term.powers)):
+        raise Failure("a letter is bound inside")  # SymPy would bind there what is free in the value, too
     results = []
     for term in terms:
         kept = {base: exponent for base, exponent in term.powers.items() if not base.has(variable)}
