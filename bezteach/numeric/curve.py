@@ -46,14 +46,20 @@ def de_casteljau(points, t):
     points, flat = control_points(points)
     points, t = one_arithmetic(points, parameter(t))
     t = t[()]
-    level = points.copy()
-    levels = [level]
     if all_rational(points, t):
-        levels += [over(*pair) for pair in integer_triangle(points, t)[1:]]
-    while levels[-1].shape[-2] > 1:
-        level = (1 - t) * level[..., :-1, :] + t * level[..., 1:, :]
-        levels.append(level)
+        levels = [points.copy(), *(over(*pair) for pair in integer_triangle(points, t)[1:])]
+    else:
+        levels = triangle(points.copy(), t)
     return tuple(finish(level, flat) for level in levels)
+
+
+def triangle(points, t):
+    """The levels of de_casteljau(points, t) without the checks, the first one the points themselves."""
+    levels = [points]
+    for _ in range(points.shape[-2] - 1):
+        points = (1 - t) * points[..., :-1, :] + t * points[..., 1:, :]
+        levels.append(points)
+    return levels
 
 
 @quiet
@@ -98,16 +104,26 @@ def split(points, t):
 
 def halves(points, t):
     """Both parts of split(points, t), without the checks: shape (..., 2, n+1, d)."""
+    *lead, count, d = points.shape
     if all_rational(points, t[()]):
         levels = integer_triangle(points, t[()])
-        parts = [[over(level[..., at, :], below) for level, below in levels[::step]] for at, step in ((0, 1), (-1, -1))]
-        return np.stack([np.stack(part, axis=-2) for part in parts], axis=-3)
-    *lead, count, d = points.shape
-    rows = basis.segment_rows(count - 1, np.stack([np.zeros_like(t), t]), np.stack([t, np.ones_like(t)]))
+        return sides(levels, lambda pair, at: over(pair[0][..., at, :], pair[1]))
+    if points.dtype is not FLOAT:
+        rows = basis.segment_rows(count - 1, np.stack([np.zeros_like(t), t]), np.stack([t, np.ones_like(t)]))
+        return act(rows.reshape(-1, count), points).reshape(*lead, 2, count, d)
+    if not lead:
+        return sides(triangle(points, t), lambda level, at: level[at])
+    rows = sides(triangle(np.eye(count), t), lambda level, at: level[at])
     both = act(rows.reshape(-1, count), points).reshape(*lead, 2, count, d)
     for c in range(d):  # p(t) comes out equal but for the order in which a product adds up; all d at once takes longer
         both[..., 1, 0, c] = both[..., 0, -1, c]
     return both
+
+
+def sides(levels, point):
+    """The two sides of a triangle, downwards and upwards, where ``point(level, 0)`` is a level's first, -1 its last."""
+    first, last = [point(level, 0) for level in levels], [point(level, -1) for level in levels[::-1]]
+    return np.stack([np.stack(first, axis=-2), np.stack(last, axis=-2)], axis=-3)
 
 
 def act(rows, points):

@@ -12,7 +12,6 @@ from bezteach.numeric.arrays import (
     control_points,
     drop,
     finish,
-    is_finite,
     one_arithmetic,
     plain,
     quiet,
@@ -71,7 +70,7 @@ def sample(points, m):
     # a picture's few hundred points cost little more than their checks, so these come first in their shortest form
     if type(points) is np.ndarray and points.dtype is FLOAT and points.ndim == 2 and type(m) is int and m > 1:
         few = points.size <= FEW
-        if 0 < m * points.size <= CACHED and (isfinite(sum(points.ravel().tolist())) if few else is_finite(points)):
+        if 0 < m * points.size <= CACHED and isfinite(sum(points.ravel().tolist()) if few else np.vdot(points, points)):
             return uniform_basis(len(points) - 1, m).dot(points)
     points, flat = control_points(points)
     m = whole(m, "count m", 2)
