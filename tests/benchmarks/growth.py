@@ -147,12 +147,15 @@ def plotted(lines, path):
     from matplotlib.figure import Figure
 
     kinds = list(dict.fromkeys(series.size for series, _ in lines))
-    figure = Figure(figsize=(5.2 * len(kinds), 5), layout="constrained")
-    for axes, kind in zip(figure.subplots(1, len(kinds), squeeze=False)[0], kinds, strict=True):
+    figure = Figure(figsize=(15, 6.5 * -(-len(kinds) // 3)), layout="constrained")
+    panels = figure.subplots(-(-len(kinds) // 3), 3, squeeze=False).ravel()
+    for axes in panels[len(kinds) :]:
+        axes.remove()
+    for axes, kind in zip(panels, kinds, strict=False):
         for marker, (series, times) in zip("osD^v<>ph", (pair for pair in lines if pair[0].size == kind), strict=False):
             label = f"{series.name}: {exponent(times):.2f}"
             axes.loglog(list(times), [1000 * seconds for seconds in times.values()], marker=marker, label=label)
         axes.set(xlabel=kind, ylabel="milliseconds")
         axes.grid(True, which="major", alpha=0.3)
-        axes.legend(fontsize="small")
+        axes.legend(loc="lower left", bbox_to_anchor=(0, 1), frameon=False)  # above, where it covers nothing
     figure.savefig(path, dpi=110)
