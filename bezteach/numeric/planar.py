@@ -3,6 +3,7 @@
 The coordinates lie in rows, (rows, n+1) or "planar", because a product of few rows with many columns is the quick one.
 """
 
+import threading
 from math import isqrt, log2
 
 import numpy as np
@@ -17,6 +18,8 @@ LOW = {
     2: np.array([[1.0, 0, -1], [0, 0, 2], [0, 1, -1]]),
     3: np.array([[1.0, 0, -1, 0], [0, 0, 3, 0], [0, 0, 0, 3], [0, 1, 0, -1]]),
 }  # from Bernstein coefficients to those of u, t; u, t, ut; u^2, t^2, u^2 t, t^2 u, where u = 1-t
+
+_own = threading.local()
 
 
 def planar_values(planar, t):
@@ -52,7 +55,7 @@ def low_values(planar, t):
     rows, count = planar.shape
     coefficients, values = planar.dot(LOW[count - 1]), np.empty((rows, t.size))
     size, blocks = slices(t.size, min(BLOCK, SINGLE // coefficients.size))
-    row = np.empty((count, size))
+    row = scratch(count, size)
     for part in blocks:
         here = t[part]
         u = np.subtract(1, here, out=row[0 if count < 4 else 3])
@@ -79,10 +82,11 @@ def factored_values(planar, t):
     raised = planar.dot(elevation(count - 1, p * q - count).T) if p * q > count else planar
     coefficients, values = raised * binomials(p * q - 1), np.empty((rows, t.size))
     size, blocks = slices(t.size, min(BLOCK // 2, SINGLE // coefficients.size))
-    (pair, ends), small = np.empty((2, 2, size)), np.empty((q, size))
-    giant = ends if p == 2 else np.empty((p, size))
     sums_first = 2 * rows <= q  # with few rows it is less work to sum over the small factors first
-    work = np.empty((rows, p, size) if sums_first else (p, q, size))
+    memory = scratch(4 + q + p + p * (rows if sums_first else q), size)
+    pair, ends, small = memory[:2], memory[2:4], memory[4 : 4 + q]
+    giant = ends if p == 2 else memory[4 + q : 4 + q + p]
+    work = memory[4 + q + p :].reshape(rows if sums_first else p, -1, size)
     for here in blocks:
         np.subtract(1, t[here], out=pair[0])
         pair[1] = t[here]
@@ -95,6 +99,17 @@ def factored_values(planar, t):
             np.multiply(giant[:, None], small, out=work)
             np.matmul(coefficients, work.reshape(p * q, size), out=values[:, here])
     return values
+
+
+def scratch(rows, size):
+    """Memory for what is in between, at most 9 MB: each thread's own, and kept, since fresh memory takes longest.
+
+    >>> np.shares_memory(scratch(2, 3), scratch(1, 3))
+    True
+    """
+    if getattr(_own, "numbers", np.empty(0)).size < rows * size:
+        _own.numbers = np.empty(rows * size)
+    return _own.numbers[: rows * size].reshape(rows, size)
 
 
 def slices(count, most):

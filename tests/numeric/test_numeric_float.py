@@ -1,5 +1,6 @@
 """float64 against exact fractions of the same numbers, for degrees 0 to 100 and at the edges of the arithmetic."""
 
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction as F
 from math import comb
 
@@ -86,6 +87,16 @@ def test_many_parameters_are_few_at_a_time(n, d, m):
     peer = BPoly(points[:, None, :], [0, 1])(t)
     np.testing.assert_allclose(got, peer, rtol=0, atol=2 * bound(n) * 2.0**n)  # |t| + |1-t| <= 2
     np.testing.assert_allclose(got[few], evaluate(points, t[few]), rtol=0, atol=2 * bound(n) * 2.0**n)
+
+
+@pytest.mark.parametrize("n", [3, 10, 40])
+def test_threads_keep_out_of_each_other_s_way(n):
+    points, t = [curve(n) + shift for shift in range(4)], np.random.default_rng(n).uniform(0, 1, 20_000)
+    alone = [evaluate(some, t) for some in points]
+    with ThreadPoolExecutor(4) as threads:
+        for _ in range(20):
+            for one, other in zip(alone, threads.map(lambda some: evaluate(some, t), points), strict=True):
+                assert np.array_equal(one, other)
 
 
 @pytest.mark.parametrize("n", [1, 2, 3])
