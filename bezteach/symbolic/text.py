@@ -2,7 +2,8 @@
 
 from itertools import chain
 
-from sympy import Indexed, expand
+from sympy import Indexed, Pow, S, expand
+from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
 from .operator import step
@@ -49,11 +50,27 @@ class _TextPrinter(StrPrinter):
         orders = [(symbol,) if count == 1 else (symbol, count) for symbol, count in expr.variable_count]
         return f"diff({self.stringify([expr.expr, *chain(*orders)], ', ')})"
 
+    def _print_Mul(self, expr):
+        if not _is_as_written(expr):
+            return super()._print_Mul(expr)
+        below = [factor for factor in expr.args if factor.is_Pow and factor.exp.could_extract_minus_sign()]
+        first, *more = [factor for factor in expr.args if factor not in below] or [S.One]
+        line = self._print(first) if first.is_Number else self.parenthesize(first, PRECEDENCE["Mul"])
+        line += "".join("*" + self.parenthesize(factor, PRECEDENCE["Mul"]) for factor in more)
+        divisors = [Pow(one.base, -one.exp, evaluate=False) if one.exp != -1 else one.base for one in below]
+        return line + "".join("/" + self.parenthesize(one, PRECEDENCE["Mul"]) for one in divisors)
+
     def _print_Pow(self, expr, rational=False):
         printed = super()._print_Pow(expr, rational)
         if isinstance(expr.base, Indexed):  # b_1^2 is a point on the way: only b[1]^2 is a power
             printed = printed.replace(f"{self._print(expr.base)}**", f"{expr.base}**")
         return printed.replace("**", "^")
+
+
+def _is_as_written(expr):
+    """Whether SymPy has not multiplied it out; such a product with a minus it prints without brackets in a divisor."""
+    whole = (f.is_Number or (f.is_Pow and all(part.is_Integer for part in f.args)) for f in expr.args[1:])
+    return expr.args[0] == 1 or any(whole) or any(f.is_Pow and f.exp == -1 and f.base.is_Mul for f in expr.args)
 
 
 def _is_step(expr):

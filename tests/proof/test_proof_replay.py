@@ -29,7 +29,7 @@ from bezteach.proof.fixed import by_cases
 from bezteach.proof.inequalities.signs import by_signs
 from bezteach.proof.replaying.alike import alike
 from bezteach.proof.replaying.cover import check_covered
-from bezteach.proof.replaying.replay import check_certificate, replay_proof
+from bezteach.proof.replaying.replay import check_certificate, check_values, replay_proof
 from bezteach.proof.verdict import Proof, verdict_of
 from bezteach.symbolic import B, Step, b, i, j, k, n, r, step, t, u
 
@@ -200,6 +200,28 @@ def test_the_ranges_are_those_of_the_statement():
     wider = PROVED.statement._replace(ranges={n: PROVED.statement.ranges[n]._replace(low=S.Zero)})
     wider.ranges.update({s: r for s, r in PROVED.statement.ranges.items() if s != n})
     caught(PROVED, PROVED.certificate, wider)
+
+
+@pytest.mark.parametrize("relation", ["<", "<=", ">", ">="])
+@pytest.mark.parametrize(
+    "found",
+    [
+        prove(Sum(B(k, n, t), (k, 0, n)), 1, given={n: (6000, oo)}),  # no value is small enough to contradict
+        prove(Sum(k, (k, 0, n)), n * (n + 1) / 2),
+        prove(Sum(binomial(n, k) ** 2, (k, 0, n)), binomial(2 * n, n)),
+        prove(step(t) ** n * b[0], Sum(B(i, n, t) * b[i], (i, 0, n))),
+    ],
+    ids=["terms", "induction", "telescoping", "points"],
+)
+def test_an_equation_proves_no_inequality(found, relation):
+    assert found.status == "PROVED"
+    found.replay()
+    other = found.statement._replace(relation=relation)
+    caught(found, found.certificate, of=other)
+    with pytest.raises(ReplayFailed):
+        replace(found, statement=other).replay()
+    with pytest.raises(ReplayFailed):
+        check_values(statement(b[0] + b[1], b[1] + b[0], {})._replace(relation=relation))
 
 
 def test_the_steps_shown_are_those_of_the_certificate():

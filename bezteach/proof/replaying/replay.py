@@ -5,6 +5,8 @@ The kernel that both share is small: the rules of ``normal`` and ``closing`` for
 telescoping sum. See ``Verdict.replay`` for what is checked.
 """
 
+from operator import eq
+
 from ..certificate import (
     ByBounds,
     ByCases,
@@ -18,6 +20,7 @@ from ..certificate import (
     Through,
 )
 from ..errors import ReplayFailed
+from ..exact.polynomial import Polynomial
 from ..exact.refuter import COMPARE
 from ..verdict import PROVED
 from .alike import alike
@@ -77,7 +80,11 @@ def check_values(statement):
     left, right = grid.evaluator(statement.lhs), grid.evaluator(statement.rhs)
     for point in grid.points():
         values = left(point), right(point)
-        if None not in values and not compare(*values):
+        if None in values:
+            continue
+        if compare is not eq and any(isinstance(value, Polynomial) for value in values):
+            raise ReplayFailed(f"{statement} puts in order what is no number")
+        if not compare(*values):
             raise ReplayFailed(f"{statement} fails at {grid.words(point)}: {values[0]} and {values[1]}")
 
 

@@ -9,8 +9,8 @@ from .alike import alike
 
 def replay_telescoping(statement, certificate, replay_proof):
     n, p, q, telescope, recorded = certificate
-    if not isinstance(statement.ranges.get(n), Integers):
-        raise ReplayFailed(f"{n} is no integer of the statement")
+    if not isinstance(statement.ranges.get(n), Integers) or statement.relation != "=":
+        raise ReplayFailed(f"it is no equation for an integer {n}")
     try:
         claim = summed(statement)
         check_sides(statement)

@@ -19,6 +19,8 @@ from .rational import check_denominators, check_has_value, check_zero, quotient
 
 def replay_terms(statement, certificate, replay_proof):
     """Check that the sides agree in each case, and return the steps that show it."""
+    if statement.relation != "=":
+        raise ReplayFailed(f"{statement} is no equation of terms")
     sides, (whole, conditions) = prepared(statement), region_of(statement.ranges)
     if impossible(conditions):
         raise ReplayFailed("the ranges hold no point")
