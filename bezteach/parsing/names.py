@@ -52,13 +52,16 @@ COMMANDS = {
     **dict.fromkeys(("binom", "dbinom", "tbinom"), "binom"),
     **{"sum": "sum", "int": "integral", "sqrt": "sqrt"},
 }
-FONTS = ("vec", "pmb", "mathbf", "boldsymbol", "bm", "mathrm", "mathit", "mathbb", "bar", "hat", "overline", "text")
+FONTS = ("vec", "pmb", "mathbf", "boldsymbol", "bm", "mathrm", "mathit", "mathbb", "text")
 COMMAND_ADVICE = {
     "Delta": "write the difference with the operator, (E - 1)",
     "begin": "write only what stands inside, and a matrix as a list of rows, ((1, 0), (-1, 1))",
     "prod": "write the factors, or factorial(n)",
     "partial": "write diff(t^2, t)",
     "prime": "write diff(t^2, t)",
+    **dict.fromkeys(
+        ("bar", "hat", "tilde", "overline"), "a letter with a mark is another one: take a letter of its own"
+    ),
     "choose": r"write \binom{n}{i} or C(n, i)",
     "infty": "infinity is not a number here",
     "pi": "only fractions, roots and the letters of the course are read",

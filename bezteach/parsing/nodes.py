@@ -78,7 +78,9 @@ def calculate(sign, left, right, position):
 
 
 def negative(value, position):
-    return _built(position, Mul, Integer(-1), value)
+    """-value; a number in front takes the sign, since SymPy prints a product with two numbers wrongly."""
+    number, rest = value.as_coeff_Mul() if value.is_Mul else (Integer(1), value)
+    return _built(position, Mul, -number, rest)
 
 
 def power(base, exponent, position):

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from sympy import Expr
 
-from bezteach.symbolic import latex
+from bezteach.symbolic import latex, plain
 from bezteach.symbolic.printing import in_words
 
 from .exact.refuter import Counterexample
@@ -72,9 +72,9 @@ class Line(NamedTuple):
 
     def latex(self):
         """One row of aligned equations, and a second one for a counterexample."""
-        plain = self.remark == MEANINGLESS or not isinstance(self.expression, Expr)
+        words = self.remark == MEANINGLESS or not isinstance(self.expression, Expr)
         row = "&= " if self.number > 1 else "& "
-        row += in_words(_written(self.expression)) if plain else latex(self.expression)
+        row += in_words(_written(self.expression)) if words else latex(self.expression)
         if self.remark != START:
             row += rf" && {in_words(f'{self.mark} {self._words()}')}"
         found = self.counterexample
@@ -83,7 +83,7 @@ class Line(NamedTuple):
 
 def _written(line):
     try:
-        return str(line)
+        return plain(line)
     except RecursionError:
         return "..."
 

@@ -1,6 +1,6 @@
 """What ranges say for all values together: linear forms that are >= 0, and whether a range is one everywhere."""
 
-from sympy import Interval, ilcm, oo
+from sympy import Interval, ilcm, oo, preorder_traversal
 
 from .errors import InvalidStatement
 from .ranges import Integers, assumed, ends
@@ -34,7 +34,7 @@ def check_ranges(found):
             (high, highest, -1, real and symbol.is_negative and not values.right_open),
         )
         for end, assumed_end, sign, strict in sides:
-            if not end.is_infinite:
+            if not (end.is_infinite or (real and all(map(_has_a_value, preorder_traversal(end))))):
                 _check_end(symbol, end, conditions)
             if assumed_end.is_finite and not _is_never_negative(sign * (end - assumed_end), conditions, strict):
                 raise InvalidStatement(f"the range of {symbol} may go beyond what is assumed of it")
@@ -45,6 +45,12 @@ def _check_end(symbol, end, conditions):
         check_defined(end, conditions)
     except Failure as error:
         raise InvalidStatement(f"the range of {symbol} may have no end: {error}") from None
+
+
+def _has_a_value(number):
+    """Whether it is a rational number, a root of a positive one, a sum, a product: ``check_defined`` knows no roots."""
+    is_root = number.is_Pow and all(part.is_Rational for part in number.args) and number.base > 0
+    return number.is_Rational or is_root or number.is_Add or number.is_Mul
 
 
 def _is_never_negative(form, conditions, strict):

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import sympy as sp
 
-from bezteach.symbolic import E, latex
+from bezteach.symbolic import E, latex, plain
 
 from .errors import InvalidStatement
 from .exact.evaluate import evaluator, expression
@@ -24,7 +24,7 @@ class Statement(NamedTuple):
     ranges: dict
 
     def __repr__(self):
-        return f"{self.lhs} {self.relation} {self.rhs}"
+        return f"{plain(self.lhs)} {self.relation} {plain(self.rhs)}"
 
     def _repr_latex_(self):
         return rf"$\displaystyle {self.latex()}$"

@@ -14,7 +14,7 @@ from .operator import apply, binomial_theorem, step
 from .power import basis_matrix, from_power, power_matrix, to_power
 from .printing import latex
 from .symbols import E, b, i, j, k, n, r, t, u
-from .text import text
+from .text import plain, text
 
 __all__ = [
     "B",
@@ -39,6 +39,7 @@ __all__ = [
     "k",
     "latex",
     "n",
+    "plain",
     "power_matrix",
     "r",
     "segment",

@@ -7,6 +7,7 @@ from sympy import Expr, Function, Symbol, expand
 from sympy.core.relational import Relational
 
 from .printing import in_words, latex
+from .text import plain
 
 p = Function("p")
 
@@ -32,7 +33,7 @@ class Step(NamedTuple):
 
     def __repr__(self):
         sign = "" if isinstance(self.expression, Relational) else "= "
-        return f"{'' if self.left is None else f'{self.left} '}{sign}{self.expression}    ({self.reason})"
+        return f"{'' if self.left is None else f'{plain(self.left)} '}{sign}{plain(self.expression)}    ({self.reason})"
 
 
 class Derivation(tuple):

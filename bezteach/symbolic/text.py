@@ -10,7 +10,21 @@ from .operator import step
 from .symbols import E
 
 
-class _TextPrinter(StrPrinter):
+class _AsWrittenPrinter(StrPrinter):
+    """SymPy's, but for products that it has not multiplied out: it would do so, or leave brackets out in a divisor."""
+
+    def _print_Mul(self, expr):
+        if not _is_as_written(expr):
+            return super()._print_Mul(expr)
+        below = [factor for factor in expr.args if factor.is_Pow and factor.exp.could_extract_minus_sign()]
+        first, *more = [factor for factor in expr.args if factor not in below] or [S.One]
+        line = self._print(first) if first.is_Number else self.parenthesize(first, PRECEDENCE["Mul"])
+        line += "".join("*" + self.parenthesize(factor, PRECEDENCE["Mul"]) for factor in more)
+        divisors = [Pow(one.base, -one.exp, evaluate=False) if one.exp != -1 else one.base for one in below]
+        return line + "".join("/" + self.parenthesize(one, PRECEDENCE["Mul"]) for one in divisors)
+
+
+class _TextPrinter(_AsWrittenPrinter):
     printmethod = "_text"  # and not "_sympystr", by which an Indexed prints itself
 
     def _as_ordered_terms(self, expr, order=None):
@@ -50,16 +64,6 @@ class _TextPrinter(StrPrinter):
         orders = [(symbol,) if count == 1 else (symbol, count) for symbol, count in expr.variable_count]
         return f"diff({self.stringify([expr.expr, *chain(*orders)], ', ')})"
 
-    def _print_Mul(self, expr):
-        if not _is_as_written(expr):
-            return super()._print_Mul(expr)
-        below = [factor for factor in expr.args if factor.is_Pow and factor.exp.could_extract_minus_sign()]
-        first, *more = [factor for factor in expr.args if factor not in below] or [S.One]
-        line = self._print(first) if first.is_Number else self.parenthesize(first, PRECEDENCE["Mul"])
-        line += "".join("*" + self.parenthesize(factor, PRECEDENCE["Mul"]) for factor in more)
-        divisors = [Pow(one.base, -one.exp, evaluate=False) if one.exp != -1 else one.base for one in below]
-        return line + "".join("/" + self.parenthesize(one, PRECEDENCE["Mul"]) for one in divisors)
-
     def _print_Pow(self, expr, rational=False):
         printed = super()._print_Pow(expr, rational)
         if isinstance(expr.base, Indexed):  # b_1^2 is a point on the way: only b[1]^2 is a power
@@ -68,7 +72,7 @@ class _TextPrinter(StrPrinter):
 
 
 def _is_as_written(expr):
-    """Whether SymPy has not multiplied it out; such a product with a minus it prints without brackets in a divisor."""
+    """Whether a product is one that SymPy has not multiplied out."""
     whole = (f.is_Number or (f.is_Pow and all(part.is_Integer for part in f.args)) for f in expr.args[1:])
     return expr.args[0] == 1 or any(whole) or any(f.is_Pow and f.exp == -1 and f.base.is_Mul for f in expr.args)
 
@@ -87,3 +91,15 @@ def text(expr):
     sum(B(i, n, t)*b_i, i, 0, n) t^2*b_(i - 1)
     """
     return _TextPrinter().doprint(expr)
+
+
+def plain(expr):
+    """Anything as SymPy prints it, but in a formula what is not multiplied out as it stands.
+
+    >>> from bezteach.symbolic import i, n
+    >>> from sympy import Mul
+    >>> kept = Mul(-3, Pow(n / i, -1, evaluate=False), evaluate=False)
+    >>> print(plain(kept), kept)
+    -3/(n/i) -3*i/n
+    """
+    return str(expr) if getattr(expr, "is_Matrix", True) else _AsWrittenPrinter().doprint(expr)

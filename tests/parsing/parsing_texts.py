@@ -486,6 +486,8 @@ REFUSED = [
     ("∫_0^1 t dt²", 11, "belong to the integral"),
     (r"\int_0^1 t dt!", 14, "belong to the integral"),
     (r"\vec{ab}", 1, "one letter"),
+    (r"\bar{t} + 1", 1, "a letter with a mark"),
+    (r"1 + \hat{b}_0", 5, "a letter with a mark"),
     (r"\sum_i^n i", 6, r"\sum_{i=0}^{n}"),
     (r"\sum_{i=0} i", 1, "limits are missing"),
     (r"\sum_{i=0}^n -i", 14, "brackets"),

@@ -153,6 +153,15 @@ def test_a_range_that_has_no_end_only_far_away_is_invalid():
     assert prove(t, t, given={n: (0, oo), t: Interval(0, sqrt(n))}).status == INVALID  # a root is not looked into
 
 
+def test_a_range_of_a_real_letter_may_end_at_a_root():
+    for values in (Interval(sqrt(2), oo), Interval(0, (1 + sqrt(5)) / 2)):
+        assert prove(t * (t + 1), t * t + t, given={t: values}).status == PROVED
+        assert (
+            prove(Ge(t, Rational(1, 3)), given={t: values}).status == UNDECIDED
+        )  # the refuter has no irrational numbers
+    assert prove(t + i, i + t, given={i: (0, sqrt(2))}).status == INVALID
+
+
 def test_a_range_that_goes_beyond_what_is_assumed_only_far_away_is_invalid():
     """At m = 21 the range of n, which is no negative number, begins at -1; SymPy makes 0 of delta(n, -1) at once."""
     m = Symbol("m", integer=True)

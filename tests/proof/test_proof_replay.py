@@ -116,6 +116,13 @@ def test_what_follows_from_two_lines_replays():
         caught(verdict, verdict.certificate._replace(verdicts=(one, false)))
 
 
+def test_a_number_is_not_like_a_product():
+    """SymPy's == makes an expression of what it is compared with, and fails where a set of classes is inside."""
+    for one, other in ((S.Zero, 2 * (t + u)), (2 * (t + u), S.Zero), (t, t * u), (S.One, Sum(k, (k, 0, n)))):
+        assert not alike(one, other)
+    assert alike(2 * (t + u), 2 * (u + t)) and alike(S.Zero, S.Zero)
+
+
 def test_two_lines_that_hold_for_other_values_do_not_meet():
     """A line is 0 for i > 0, and the product for i = 0: that does not make 0 of the product, which is 15! at n = 15."""
     product = Mul(*[n - place for place in range(15)])

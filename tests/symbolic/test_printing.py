@@ -3,8 +3,9 @@
 import pytest
 from sympy import Mul, Pow
 
+from bezteach.bench import judge
 from bezteach.parsing import parse
-from bezteach.symbolic import latex, n, t, text
+from bezteach.symbolic import latex, n, plain, t, text
 
 ONE = Mul(t, 1 / t, evaluate=False)
 
@@ -32,3 +33,10 @@ def test_a_line_comes_back_as_it_was(line):
 def test_a_quotient_to_a_negative_power_ends():
     assert latex(parse("(n/n)^(-2)")) == r"\left(\frac{n}{n}\right)^{-2}"
     assert latex(parse("2 (n/n)^(-1)")) != latex(parse("2 (n/n)^(-2)"))
+
+
+def test_a_statement_and_a_line_are_shown_with_what_may_have_no_value():
+    """3/(n/i) is 3 i/n, but not at i = 0."""
+    found = judge("t - 3/(n/i) = t - 3*i/n", "n >= 1")
+    assert repr(found.statement) == "t - 3/(n/i) = -3*i/n + t" and found.status == "REFUTED"
+    assert plain(parse("3/(n/i)")) == "3/(n/i)" and str(parse("3/(n/i)").doit()) == "3*i/n"
