@@ -16,8 +16,19 @@ FEW = 1024  # numbers in the basis below which the count of calls decides
 LOW = {
     1: np.eye(2),
     2: np.array([[1.0, 0, -1], [0, 0, 2], [0, 1, -1]]),
-    3: np.array([[1.0, 0, -1, 0], [0, 0, 3, 0], [0, 0, 0, 3], [0, 1, 0, -1]]),
-}  # from Bernstein coefficients to those of u, t; u, t, ut; u^2, t^2, u^2 t, t^2 u, where u = 1-t
+    3: np.array([[1.0, 0, -2, 1], [0, 0, 3, -3], [0, 0, 0, 3], [0, 1, -1, -1]]),
+    4: np.array([[1.0, 0, -3, 2, 1], [0, 0, 4, -4, -4], [0, 0, 0, 0, 6], [0, 0, 0, 4, -4], [0, 1, -1, -2, 1]]),
+    5: np.array(
+        [
+            [1.0, 0, -4, 3, 3, -1],
+            [0, 0, 5, -5, -10, 5],
+            [0, 0, 0, 0, 10, -10],
+            [0, 0, 0, 0, 0, 10],
+            [0, 0, 0, 5, -5, -5],
+            [0, 1, -1, -3, 2, 1],
+        ]
+    ),
+}  # from Bernstein coefficients to those of u, t, w, w t, w^2, w^2 t, u = 1-t, w = ut; beyond, too inexact
 
 _own = threading.local()
 
@@ -43,36 +54,28 @@ def basis_values(planar, t):
     n = planar.shape[1] - 1
     if n == 0:
         return np.repeat(planar, t.size, axis=1)
-    if n <= 3:
-        return low_values(planar, t)
-    if t.size * n <= FEW:
+    if n > 3 and t.size * n <= FEW:
         return (planar * binomials(n)).dot(products(n, t))
-    return factored_values(planar, t)
+    return low_values(planar, t) if n in LOW else factored_values(planar, t)
 
 
 def low_values(planar, t):
-    """basis_values for n = 1, 2, 3: u^2 = u - ut, u^3 = u^2 - u^2 t and likewise t^2, t^3 save products; u = 1-t."""
+    """basis_values for n = 1, ..., 5, where the powers of t (1-t) take the fewest products. The ends are exact."""
     rows, count = planar.shape
     coefficients, values = planar.dot(LOW[count - 1]), np.empty((rows, t.size))
     size, blocks = slices(t.size, min(BLOCK, SINGLE // coefficients.size))
     row = scratch(count, size)
     for part in blocks:
-        here = t[part]
-        u = np.subtract(1, here, out=row[0 if count < 4 else 3])
-        if count < 4:
-            row[1] = here
-            np.multiply(u, here, out=row[2:])  # one row or none
-        else:
-            np.multiply(u, u, out=row[0])
-            np.multiply(here, here, out=row[1])
-            np.multiply(row[0], here, out=row[2])
-            np.multiply(row[1], u, out=row[3])
+        row[1] = t[part]
+        np.subtract(1, row[1], out=row[0])
+        for k in range(2, count):
+            np.multiply(row[k - 2], row[2 if k > 2 else 1], out=row[k])
         np.matmul(coefficients, row, out=values[:, part])
     return values
 
 
 def factored_values(planar, t):
-    """basis_values for n > 3 and many parameters: t^i (1-t)^(n-i) is one of q small factors times one of p giant ones.
+    """basis_values for any n and many parameters: t^i (1-t)^(n-i) is one of q small factors times one of p giant ones.
 
     There p q = n+1. There is no division and no branch, and the ends are exact.
     """
