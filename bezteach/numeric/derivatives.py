@@ -7,7 +7,7 @@ from math import frexp, inf, isqrt, perm
 import numpy as np
 
 from bezteach.numeric.arrays import FLOAT, control_points, drop, finish, one_arithmetic, quiet, read, whole
-from bezteach.numeric.basis import basis
+from bezteach.numeric.basis import basis, elevation
 from bezteach.numeric.evaluation import values_at
 
 BLOCK = 2**15  # parameters at a time, so that what is in between stays in the processor's cache
@@ -84,20 +84,18 @@ def curvature(points, t):
 
 def quotient(edges, bends, t):
     """Curvature in float64 at a row of parameters, of the control points of the first and the second derivative."""
-    first, second = values_at(edges, t), values_at(bends, t)
-    speed = length(first)
+    d, missing = edges.shape[-1], edges.shape[-2] - bends.shape[-2]
+    raised = elevation(bends.shape[-2] - 1, missing) @ bends
+    both = values_at(np.concatenate([edges, raised], axis=-1), t)  # in one degree they share their powers of t
+    first, second = both[..., :d], both[..., d:]
+    squares = sum(first[..., c] ** 2 for c in range(d))
+    if squares.min() < 1e-180:  # divide before the product vanishes
+        speed = np.hypot.reduce(first, axis=-1)
+        refuse_rest(edges, speed, t)
+        return reduce(np.hypot, cross(first / speed[..., None], second / speed[..., None])) / speed
+    speed = np.sqrt(squares)
     refuse_rest(edges, speed, t)
-    if speed.min() < 1e-90:  # divide before the product vanishes
-        turn = cross(first / speed[..., None], second / speed[..., None])
-        return reduce(np.hypot, turn) / speed
-    turn = cross(first, second)  # in the plane one number with its sign
-    return reduce(np.hypot, turn) / (speed * speed * speed)
-
-
-def length(vectors):
-    """Euclidean lengths; hypot takes ten times as long and is needed only where squares vanish."""
-    squares = sum(vectors[..., c] ** 2 for c in range(vectors.shape[-1]))
-    return np.sqrt(squares) if squares.min() > 1e-280 else np.hypot.reduce(vectors, axis=-1)
+    return reduce(np.hypot, cross(first, second)) / (squares * speed)  # in the plane one number with its sign
 
 
 def cross(u, v):
