@@ -19,7 +19,7 @@ from operator import index
 import numpy as np
 
 FLOAT = np.dtype(float)
-FEW = 24  # numbers up to which Python's own sum is the quicker one
+FEW = 16  # numbers up to which Python's own sum is the quicker one
 MOST = 10**8  # points that one call may be asked for
 
 # Overflow is looked for in the results, where it can be told in words, so NumPy need not warn of it.

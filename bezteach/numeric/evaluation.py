@@ -5,6 +5,7 @@ from functools import lru_cache
 from math import isfinite
 
 import numpy as np
+from numpy import ndarray, vdot
 
 from bezteach.numeric.arrays import (
     FEW,
@@ -23,6 +24,7 @@ from bezteach.numeric.basis import HIGHEST, basis, frozen, product, segment_rows
 from bezteach.numeric.planar import basis_values, planar_values, tame
 
 CACHED = 2**17  # numbers in a cached basis: at most 1 MB each
+MANY = 1000  # samples from which on a planar product, with the coordinates in rows, is the quicker one
 PIECE = 4096  # steps in one of the pieces of a large sample
 
 
@@ -68,10 +70,11 @@ def sample(points, m):
     numbers and an m that is no whole number or below 2. Source: deck, section 1.1, Bernstein form.
     """
     # a picture's few hundred points cost little more than their checks, so these come first in their shortest form
-    if type(points) is np.ndarray and points.dtype is FLOAT and points.ndim == 2 and type(m) is int and m > 1:
-        few = points.size <= FEW
-        if 0 < m * points.size <= CACHED and isfinite(sum(points.ravel().tolist()) if few else np.vdot(points, points)):
-            return uniform_basis(len(points) - 1, m).dot(points)
+    if type(points) is ndarray and points.dtype is FLOAT and points.ndim == 2 and type(m) is int and m > 1:
+        size = points.size
+        if 0 < m * size <= CACHED and isfinite(sum(points.ravel().tolist()) if size <= FEW else vdot(points, points)):
+            cached = uniform_basis(len(points) - 1, m)
+            return cached.dot(points) if m < MANY else points.T.dot(cached.T).T
     points, flat = control_points(points)
     m = whole(m, "count m", 2)
     count = points.shape[-2]
