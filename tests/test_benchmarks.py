@@ -8,7 +8,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from benchmarks import command, growth, peers, plain, report
+from benchmarks import clock, command, growth, peers, plain, report
 from benchmarks.job import Job, Row, near
 from benchmarks.measuring import WrongAnswer, measured, timed
 
@@ -113,6 +113,14 @@ def test_where_the_peer_of_the_bar_is_missing_nothing_is_claimed():
 def test_an_absolute_bar_is_for_ours():
     assert Row("x", 0.002, bar=0.001, absolute=True).holds is False
     assert report.line(Row("x", 0.0005, bar=0.001, absolute=True)) == ["x", "500 µs", "", "", "1 ms", "holds"]
+
+
+def test_a_long_command_counts_by_the_clock_on_the_wall(monkeypatch):
+    commands = {"idle": "import time; time.sleep(0.2)", "failing": "raise SystemExit(3)"}
+    monkeypatch.setattr(clock, "LONG", {name: (("-c", code), "auto", 60) for name, code in commands.items()})
+    idle, failing = map(clock.whole, commands)
+    assert (idle.name, idle.holds) == ("idle", True) and idle.ours >= 0.2
+    assert (failing.name, failing.holds) == ("failing (exit code 3)", None)
 
 
 def test_a_missing_peer_is_named_with_the_reason():

@@ -98,9 +98,10 @@ LONG = {  # what runs on its own for minutes, what SymPy computes with there, an
 
 
 def whole(name):
-    """The row of a long command, run once."""
+    """The row of a long command, run once; one that fails is named, and reaches no bar."""
     arguments, types, most = LONG[name]
     run, codes = interpreter(*arguments, SYMPY_GROUND_TYPES=types), []
     times = timed({"ours": lambda: codes.append(run())}, 0, perf_counter)
-    named = name if codes == [0] else f"{name} (exit code {codes[0]})"
-    return Row(named, times["ours"], bar=most, absolute=True)
+    if codes != [0]:
+        return Row(f"{name} (exit code {codes[0]})", times["ours"])
+    return Row(name, times["ours"], bar=most, absolute=True)
