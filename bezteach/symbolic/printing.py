@@ -80,9 +80,7 @@ class _CoursePrinter(LatexPrinter):
             return f"E^{{{self._print(expr.exp)}}}"
         if isinstance(expr.base, Add) and expr.base.has(E):
             return f"{self._bracketed(expr.base)}^{{{self._print(expr.exp)}}}"
-        if (
-            expr.exp.is_negative and expr.base.is_Mul and fraction(expr)[1] == 1
-        ):  # as (n/n)^(-2), which SymPy would print without end
+        if expr.exp.is_negative and expr.base.is_Mul and fraction(expr)[1] == 1:  # SymPy prints (n/n)^(-2) forever
             return rf"\left({self._print(expr.base)}\right)^{{{self._print(expr.exp)}}}"
         return super()._print_Pow(expr)
 
