@@ -123,6 +123,13 @@ def test_a_long_command_counts_by_the_clock_on_the_wall(monkeypatch):
     assert (failing.name, failing.holds) == ("failing (exit code 3)", None)
 
 
+def test_without_python_flint_nothing_is_called_by_its_name(monkeypatch):
+    monkeypatch.setattr(peers, "found", {"python-flint": None})
+    assert clock.long_commands() == list(clock.LONG)
+    monkeypatch.setattr(peers, "found", {})
+    assert clock.long_commands() == ["whole ledger", "whole test command"]
+
+
 def test_a_missing_peer_is_named_with_the_reason():
     def load(module):
         if module == "gone":

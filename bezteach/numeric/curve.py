@@ -4,7 +4,7 @@ Whatever is linear in the points is a matrix whose rows are polynomials in the s
 """
 
 from fractions import Fraction
-from math import ceil, inf, sqrt
+from math import ceil, inf, isfinite, sqrt
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from bezteach.numeric.arrays import (
     finish,
     one_arithmetic,
     parameter,
+    plain,
     quiet,
     read,
     shown,
@@ -167,12 +168,15 @@ def elevate(points, r=1):
     >>> elevate([0, 3, 3]).astype(str).tolist()
     ['0', '2', '3', '3']
 
-    Exact points give Fractions. Raises ValueError for points that are no finite real numbers and an r that is no
-    whole number or negative. Source: games, "property 6, elevation"; notes, section 2.3.3.
+    Exact points give Fractions. Raises ValueError for points that are no finite real numbers, an r that is no whole
+    number or negative, and where rounding leads beyond the largest float64. Source: games, "property 6, elevation"; notes, section 2.3.3.
     """
+    r = whole(r, "order r", 0)
+    if plain(points, 2) and isfinite(np.vdot(points, points)):  # no average of these is too large
+        return basis.elevation(len(points) - 1, r).dot(points)
     points, flat = control_points(points)
-    rows = basis.elevation(points.shape[-2] - 1, whole(r, "order r", 0), points.dtype)
-    return drop(act(rows, points), flat)  # averages, so nothing can be too large
+    rows = basis.elevation(points.shape[-2] - 1, r, points.dtype)
+    return finish(quiet(act)(rows, points), flat)
 
 
 @quiet

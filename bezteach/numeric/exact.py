@@ -23,7 +23,7 @@ def all_rational(points, t):
 def integer_triangle(points, t):
     """De Casteljau's levels of rational numbers, each in integers over one denominator: pairs (level, denominator).
 
-    A sum of Fractions looks for a common divisor, one of integers does not, and takes a fiftieth of the time.
+    A sum of Fractions looks for a common divisor each time; here that is left to whoever divides in the end.
     """
     below, p, q = lcm(*(x.denominator for x in points.flat)), t.numerator, t.denominator
     level = np.frompyfunc(lambda x: x.numerator * (below // x.denominator), 1, 1)(points)

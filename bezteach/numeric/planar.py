@@ -13,6 +13,8 @@ from bezteach.numeric.basis import HIGHEST, SINGLE, binomials, elevation, fill_p
 
 BLOCK = 10240  # parameters at a time, so that the scratch arrays stay in the processor's cache
 FEW = 1024  # numbers in the basis below which the count of calls decides
+# From Bernstein coefficients to those of u, t, w, wt, w^2, w^2 t, where u = 1-t and w = ut. The entries grow with the
+# degree, and so do the rounding errors: from degree 6 on they would be larger than `evaluate` promises.
 LOW = {
     1: np.eye(2),
     2: np.array([[1.0, 0, -1], [0, 0, 2], [0, 1, -1]]),
@@ -28,7 +30,7 @@ LOW = {
             [0, 1, -1, -3, 2, 1],
         ]
     ),
-}  # from Bernstein coefficients to those of u, t, w, w t, w^2, w^2 t, u = 1-t, w = ut; beyond, too inexact
+}
 
 _own = threading.local()
 

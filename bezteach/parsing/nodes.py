@@ -78,7 +78,7 @@ def calculate(sign, left, right, position):
 
 
 def negative(value, position):
-    """-value; a number in front takes the sign, since SymPy prints a product with two numbers wrongly."""
+    """-value; a number in front takes the sign, so that -3/(n/i) is not shown as -1*3/(n/i)."""
     number, rest = value.as_coeff_Mul() if value.is_Mul else (Integer(1), value)
     return _built(position, Mul, -number, rest)
 

@@ -97,6 +97,11 @@ LONG = {  # what runs on its own for minutes, what SymPy computes with there, an
 }
 
 
+def long_commands():
+    """The names of those that can run here: without python-flint, SymPy would take Python's numbers in its place."""
+    return [name for name, (_, types, _) in LONG.items() if types != "flint" or "python-flint" in peers.found]
+
+
 def whole(name):
     """The row of a long command, run once; one that fails is named, and reaches no bar."""
     arguments, types, most = LONG[name]

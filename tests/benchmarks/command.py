@@ -57,7 +57,7 @@ def speed(options, wanted, wrong):
             except WrongAnswer as problem:
                 wrong.append(problem)
     if options.long:
-        yield from (clock.whole(name) for name in clock.LONG if wanted(name))
+        yield from (clock.whole(name) for name in clock.long_commands() if wanted(name))
 
 
 def grow(options, wanted):

@@ -41,20 +41,8 @@ def all_series():
         ),
         Series("elevate", "degree", (8, 16, 32, 64, 128, 256), 2.2, lambda n: run(bz.elevate, polygon(n))),
         Series("split", "degree", (4, 8, 16, 32, 64), 3.2, lambda n: run(bz.split, polygon(n), 0.5)),
-        Series(
-            "exact triangle",
-            "degree",
-            (5, 10, 20, 40),
-            3.2,
-            lambda n: run(bz.de_casteljau, np.array(exact.polygon(n)), exact.T),
-        ),
-        Series(
-            "exact point",
-            "degree",
-            (5, 10, 20, 40),
-            3.2,
-            lambda n: run(bz.evaluate, np.array(exact.polygon(n)), exact.T),
-        ),
+        exactly("exact triangle", bz.de_casteljau),
+        exactly("exact point", bz.evaluate),
         Series(
             "evaluate, n = 10",
             "parameters",
@@ -91,6 +79,11 @@ def all_series():
         Series("proof of unity as a sum", "degree of the proof", (4, 8, 16, 32), 3.2, unity),
         Series("proof of unity, written out", "degree of the proof", (4, 8, 16, 32), 3.2, written_out),
     )
+
+
+def exactly(name, function):
+    """A function of exact control points and one exact parameter, by degree."""
+    return Series(name, "degree", (5, 10, 20, 40), 3.2, lambda n: run(function, np.array(exact.polygon(n)), exact.T))
 
 
 def run(function, *arguments):

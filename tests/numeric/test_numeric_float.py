@@ -217,6 +217,15 @@ def test_what_is_too_large_is_an_error():
             call()
 
 
+def test_no_average_of_the_largest_float_is_infinite():
+    """Rounding may carry one beyond: that is an error."""
+    for n, r in [(n, r) for n in range(1, 12) for r in range(1, 12)]:
+        try:
+            assert np.isfinite(elevate(np.full((n + 1, 2), np.finfo(float).max), r)).all()
+        except ValueError as error:
+            assert "too large" in str(error)
+
+
 @pytest.mark.parametrize("n, m", [(1, 3000), (2, 3000), (3, 3000), (20, 3000), (3, 1), (20, 1), (700, 9), (1000, 9)])
 def test_what_is_nearly_too_large_is_right_and_silent(n, m):
     points = np.resize([1.0, -1.0], (n + 1, 1))
