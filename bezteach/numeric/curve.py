@@ -169,7 +169,8 @@ def elevate(points, r=1):
     ['0', '2', '3', '3']
 
     Exact points give Fractions. Raises ValueError for points that are no finite real numbers, an r that is no whole
-    number or negative, and where rounding leads beyond the largest float64. Source: games, "property 6, elevation"; notes, section 2.3.3.
+    number or negative, and where rounding leads beyond the largest float64. Source: games, "property 6,
+    elevation"; notes, section 2.3.3.
     """
     r = whole(r, "order r", 0)
     if plain(points, 2) and isfinite(np.vdot(points, points)):  # no average of these is too large
